@@ -1,6 +1,7 @@
 #include "common/system/terminal.hpp"
 
 #include "common/system/input_error.hpp"
+#include "common/system/translation.hpp"
 
 // Standard C++ can neither detect a terminal nor measure its width.
 #if __has_include(<sys/ioctl.h>)
@@ -76,7 +77,7 @@ void Progress::advance() {
     const double seconds = std::chrono::duration<double>(now - start_).count();
     std::array<char, 32> share{};
     std::snprintf(share.data(), share.size(), "%4d %%", 100 * done_ / total_);
-    status_->show(share.data() + time_left(seconds, done_, total_));
+    status_->show(share.data() + tr_text(time_left(seconds, done_, total_)));
 }
 
 }  // namespace rt

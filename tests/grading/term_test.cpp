@@ -87,8 +87,8 @@ TEST_CASE(
           "ben_2,4,0,25,24,\"3 sphere: 4 instead of 4\nin all: 25 instead of 4\"\r\n");
     CHECK(two.term().notes ==
           std::vector<std::string>{
-              "overrides.csv:2: 7 cylinder is not graded: its points do not count",
-              "overrides.csv:3: 100 points are more than the 10 of 5 triangle; they count",
+              "overrides.csv:2: step07_cylinder is not graded: its points do not count",
+              "overrides.csv:3: 100 points are more than the 10 of step05_triangle; they count",
               "overrides.csv:4: 25 points are more than the 24 of all stages; they count"});
 }
 

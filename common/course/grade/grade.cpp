@@ -41,7 +41,8 @@ std::atomic<bool> stop = false;
 
 void check_seal() {
     const std::vector<Layer> all = layers();
-    std::fputs(text_of(all).c_str(), stderr);
+    for (const Layer& layer : all)
+        std::fprintf(stderr, "%s %s\n", layer.holds ? "✓" : "✗", tr_text(layer.name).c_str());
     if (!hold(all))
         throw ProgramError(
             "error: submissions are not run without these. docs/reference/grading.md\n");
@@ -49,7 +50,7 @@ void check_seal() {
 
 /// Prints a line that may contain names by students.
 void say(const std::string& line) {
-    std::fprintf(stderr, "%s\n", one_line(line).c_str());
+    std::fprintf(stderr, "%s\n", tr_line(one_line(line)).c_str());
 }
 
 /// The folder of the results. A new one is removed if it is still empty at the end, as after an
@@ -160,12 +161,17 @@ fs::path language_folder(const Term& term, const fs::path& project) {
     return folder;
 }
 
-/// Reads the translations into the class's language.
-void read_language(const Term& term, const fs::path& project) {
-    const fs::path folder = language_folder(term, project);
-    if (folder.empty()) return;
+void read_catalogues(const fs::path& folder) {
     for (const char* const catalogue : {"grading.po", "course.po", "program.po"})
         read_translations(folder / catalogue);
+}
+
+/// Reads the translations into the class's language, in place of those for the terminal.
+void read_language(const Term& term, const fs::path& project) {
+    forget_translations();
+    const fs::path folder = language_folder(term, project);
+    if (folder.empty()) return;
+    read_catalogues(folder);
     for (const std::string_view stage : stage_names)
         read_translations(folder / "steps" / stage / "sentences.po");
 }
@@ -303,9 +309,8 @@ Outcome grade(const Order& order, const fs::path& folder) {
     compile_references(order, grading);
     Judge judge(grading, judge_references(order, grading));
     go_on(grading.workshop);
-    std::fprintf(stderr, "%s, %s, seed %s\n",
-                 counted(int(submissions.size()), "submission").c_str(),
-                 counted(int(grading.stages.size()), "stage").c_str(), grading.seed.c_str());
+    say(counted(int(submissions.size()), "submission") + ", " +
+        counted(int(grading.stages.size()), "stage") + ", seed " + grading.seed);
     Progress progress(true, int(submissions.size()));
     std::atomic<bool> failed = false;
     parallel_for(order.jobs, submissions.size(), &stop, [&](std::size_t i) {
@@ -354,22 +359,30 @@ std::string edition_of(const fs::path& results, const fs::path& project) {
 
 }  // namespace
 
-void write_reports(const fs::path& results, const fs::path& project) {
+void read_terminal_language(const fs::path& project) {
+    forget_translations();
+    if (const std::string language = language_of_environment(); !language.empty())
+        read_catalogues(project / "lang" / language);
+}
+
+void write_reports(const fs::path& results, const fs::path& project, const fs::path& gradescope) {
     const std::vector<Mark> marks = read_marks(results);
     if (marks.empty()) throw InputError({results}, "contains no marks");
     Term term = read_term(results, marks);
-    read_language(term, project);
     if (term.anonymous) term.key = read_seed(seed_file(results));
     for (const std::string& each : term.notes) say(each);
     const std::vector<std::string> missing = missing_marks(results, marks);
     for (const std::string& each : missing) say(each);
-    if (!missing.empty())
-        std::fputs("the reports are incomplete: `./course grade` adds what is missing\n", stderr);
+    if (!missing.empty()) say("the reports are incomplete: `./course grade` adds what is missing");
+    read_language(term, project);
     write_grade_book(results, marks, term);
-    if (const std::string grades = write_upload(results, marks, term); !grades.empty()) say(grades);
+    const std::string grades = write_upload(results, marks, term);
     write_feedback(results, marks, term);
     write_class_report(results, project, marks, term, edition_of(results, project));
     write_junit(results, marks);
+    if (!gradescope.empty()) write_gradescope(gradescope, marks);
+    read_terminal_language(project);
+    if (!grades.empty()) say(grades);
 }
 
 }  // namespace rt::grade

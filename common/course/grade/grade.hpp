@@ -38,7 +38,12 @@ enum class Outcome {
 /// ProgramError if the sandbox does not work, or the references fail.
 [[nodiscard]] Outcome grade(const Order& order);
 
-/// Writes the reports of all existing marks. Throws InputError.
-void write_reports(const std::filesystem::path& results, const std::filesystem::path& project);
+/// Reads the translations of what is printed, into the language of the terminal.
+void read_terminal_language(const std::filesystem::path& project);
+
+/// Writes the reports of all existing marks, in the language of the class, and Gradescope's file if
+/// it has a name. Throws InputError.
+void write_reports(const std::filesystem::path& results, const std::filesystem::path& project,
+                   const std::filesystem::path& gradescope = {});
 
 }  // namespace rt::grade

@@ -8,7 +8,10 @@
 #include "common/system/process.hpp"
 #include "common/system/readable.hpp"
 #include "common/system/terminal.hpp"
+#include "common/system/translated_help.hpp"
+#include "common/system/translation.hpp"
 #include "common/system/two_numbers.hpp"
+#include "common/system/wrap.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -65,7 +68,8 @@ struct Command {
 
 /// Nothing if only the help was wanted, which it prints.
 std::optional<Command> parse(int count, char** words) {
-    CLI::App app{"Grades submissions: folders, archives, or folders of these", "course grade"};
+    CLI::App app{rt::to_translate("Grades submissions: folders, archives, or folders of these"),
+                 "course grade"};
     Command command;
     Order& order = command.order;
     // One more than the number of cores: one job may wait for code that sleeps.
@@ -98,7 +102,9 @@ std::optional<Command> parse(int count, char** words) {
     try {
         app.parse(count, words);
     } catch (const CLI::CallForHelp&) {
-        std::cout << app.help();
+        app.description(rt::tr(app.get_description()));
+        rt::translate_help(app);
+        std::cout << rt::wrapped_page(app.help(), app.get_formatter()->get_column_width());
         return std::nullopt;
     } catch (const CLI::ParseError& error) {
         throw rt::InputError({}, std::string("grade: ") + error.what());
@@ -113,14 +119,12 @@ std::optional<Command> parse(int count, char** words) {
 int grade_class(const Order& order, const fs::path& gradescope) {
     const rt::grade::Outcome outcome = rt::grade::grade(order);
     if (outcome == rt::grade::Outcome::interrupted) {
-        std::cerr << "interrupted: the same command continues from here\n";
+        std::cerr << rt::tr("interrupted: the same command continues from here") << '\n';
         return 1;
     }
     const int status = outcome == rt::grade::Outcome::failed ? 2 : 0;
     if (order.parts > 1) return status;  // --report follows when all parts are there
-    rt::grade::write_reports(order.results, order.project);
-    if (!gradescope.empty())
-        rt::grade::write_gradescope(gradescope, rt::grade::read_marks(order.results));
+    rt::grade::write_reports(order.results, order.project, gradescope);
     std::cout << (order.results / "grades.csv").string() << '\n'
               << (order.results / "class.html").string() << '\n';
     return status;
@@ -150,16 +154,17 @@ int carry_out(const Command& command) {
 int main(int count, char** words) {
     std::signal(SIGXFSZ, SIG_IGN);  // a file above the size limit is an error to report
     try {
+        rt::grade::read_terminal_language(RAYSTEPS_ROOT);
         const std::optional<Command> command = parse(count, words);
         const int status = command ? carry_out(*command) : 0;
         rt::finish_output();
         return status;
     } catch (const rt::InputError& error) {
-        std::cerr << error.what() << '\n';
+        std::cerr << rt::tr_text(error.what()) << '\n';
     } catch (const rt::ProgramError& error) {
-        std::cerr << error.what();
+        std::cerr << rt::tr_lines(error.what());
     } catch (const std::exception& error) {
-        std::cerr << "error: " << rt::one_line(error.what()) << '\n';
+        std::cerr << rt::tr_text("error: " + rt::one_line(error.what())) << '\n';
     }
     return 2;
 }

@@ -3,9 +3,9 @@
 #include "common/course/grade/results/settings.hpp"
 #include "common/course/grade/results/submissions.hpp"
 
+#include "common/stages/stages.hpp"
 #include "common/system/keyed_hash.hpp"
 #include "common/system/lower_case.hpp"
-#include "common/system/translation.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -195,15 +195,14 @@ private:
     void check_override(const Csv& csv, const Csv::Row& row, int stage, double points) {
         const bool is_total = stage == Term::total;
         if (!is_total && graded_.count(stage) == 0)
-            return add_note(csv, row,
-                            stage_title(stage) + " is not graded: its points do not count");
+            return add_note(csv, row, name_of(stage) + " is not graded: its points do not count");
         double most = is_total ? term_.additions_of : graded_[stage];
         if (is_total)
             for (const auto& [each, of_stage] : graded_) most += of_stage * term_.weight(each);
         if (points > most)
             add_note(csv, row,
                      number(points) + " points are more than the " + number(most) + " of " +
-                         (is_total ? "all stages" : stage_title(stage)) + "; they count");
+                         (is_total ? "all stages" : name_of(stage)) + "; they count");
     }
 
     void read_additions() {

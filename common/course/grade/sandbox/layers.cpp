@@ -119,10 +119,4 @@ bool hold(const std::vector<Layer>& layers) {
                        [](const Layer& layer) { return layer.holds || !layer.needed; });
 }
 
-std::string text_of(const std::vector<Layer>& layers) {
-    std::string text;
-    for (const Layer& layer : layers) text += (layer.holds ? "✓ " : "✗ ") + layer.name + "\n";
-    return text;
-}
-
 }  // namespace rt::grade
