@@ -17,20 +17,24 @@ using Functions = std::set<const Callee*>;
 constexpr double least_of_wrong = 0.8;   ///< of the wrong answers, those that are the mistake's
 constexpr double least_likeness = 0.75;  ///< of answers
 constexpr double least_of_cases = 0.6;   ///< likeness of failing cases
+constexpr double cases_of_open = 0.5;    ///< if all answers of an open function are alike
 constexpr int least_values = 2;          ///< answers that few mistakes share
 constexpr double most_alien = 0.25;      ///< of these, numbers that another formula gives
+constexpr int least_misses = 5;          ///< of a mistake that gives no numbers
+constexpr double misses_alike = 0.85;    ///< likeness of its answers
 constexpr double most_of_open = 0.7;     ///< where a formula cancels, answers are of another kind
 
 /// The comparison of a function's answers with a mistake's.
 struct Fit {
     int probes = 0;
-    int alike = 0;   ///< answers that are the mistake's, right ones among them
-    int wrong = 0;   ///< answers that are not the reference's
-    int errs = 0;    ///< probes on which the mistake errs
-    int both = 0;    ///< of these, those on which the answer is wrong
-    int hits = 0;    ///< of these, those with the mistake's answer
-    int values = 0;  ///< of these, those with a number that few mistakes share
-    int alien = 0;   ///< wrong answers with a number that is not the mistake's
+    int alike = 0;    ///< answers that are the mistake's, right ones among them
+    int wrong = 0;    ///< answers that are not the reference's
+    int errs = 0;     ///< probes on which the mistake errs
+    int both = 0;     ///< of these, those on which the answer is wrong
+    int hits = 0;     ///< of these, those with the mistake's answer
+    int values = 0;   ///< of these, those with a number that few mistakes share
+    int numbers = 0;  ///< probes on which the mistake errs with such a number
+    int alien = 0;    ///< wrong answers with a number that is not the mistake's
 
     [[nodiscard]] bool is_exact() const { return wrong > 0 && alike == probes; }
     /// The share of the mistake's answers among all on which either errs.
@@ -38,8 +42,10 @@ struct Fit {
         return hits == 0 ? 0 : double(hits) / double(wrong + errs - both);
     }
     [[nodiscard]] bool is_near() const {
-        return values >= least_values && alien <= most_alien * values &&
-               hits >= least_of_wrong * wrong && likeness() >= least_likeness;
+        const bool by_values = values >= least_values && likeness() >= least_likeness;
+        const bool by_misses = numbers == 0 && hits >= least_misses && likeness() >= misses_alike;
+        return (by_values || by_misses) && hits >= least_of_wrong * wrong &&
+               alien <= most_alien * (by_values ? values : hits);
     }
 };
 
@@ -140,6 +146,7 @@ private:
             fit.both += errs && is_wrong;
             fit.hits += errs && is_wrong && is_alike;
             fit.values += errs && is_wrong && is_alike && is_value(answer);
+            fit.numbers += errs && is_value(expected);
             fit.alien += is_wrong && !is_alike && is_value(answer);
         });
         return fit;
@@ -240,10 +247,13 @@ private:
         if (candidate.functions.empty()) return candidate;
         candidate.likeness /= double(candidate.functions.size());
         const double cases = likeness_of_cases(candidate, spared);
-        candidate.is_certain = candidate.is_certain && cases == 1 && spared.empty();
         // An open function's answers of the mistake's kind may be right: then all cases decide.
-        const double least = open && !near ? 1 : least_of_cases;
+        const double least = !open                  ? least_of_cases
+                             : !near                ? 1
+                             : candidate.is_certain ? cases_of_open
+                                                    : least_of_cases;
         if (cases < least) candidate.functions.clear();
+        candidate.is_certain = candidate.is_certain && cases == 1 && spared.empty();
         candidate.likeness += cases;
         return candidate;
     }

@@ -243,3 +243,20 @@ TEST_CASE("many misses alike do not identify a mistake whose numbers are others"
     answers[11] = answers[0];  // another formula's number
     CHECK(recognized(probes, answers, {}).empty());
 }
+
+TEST_CASE("a mistake that only misses is probable where almost all misses are its own") {
+    std::string text = "stage 4\nmistake lost: Lost.\n";
+    for (int k = 1; k <= 10; ++k) {
+        const std::string t = std::to_string(k + 2);
+        text += "call intersect(Ray{{0, 0, 0}, {0, 0, -1}}, Plane{{0, 0, -" + t +
+                "}, {0, 0, 1}}, Interval{0, infinity})\nright " + t + "\n" +
+                (k <= 7 ? "wrong std::nullopt | lost\n" : "");
+    }
+    const Probes probes = read_probes(text);
+    std::vector<Answer> answers;
+    for (const Probe& probe : probes.probes) answers.push_back(probe.mistaken[0]);
+    answers[9] = answers[8];  // a detail of another formula
+    CHECK(recognized(probes, answers, {}).size() == 1);
+    for (std::size_t i = 0; i < 4; ++i) answers[i] = probes.probes[i].right;
+    CHECK(recognized(probes, answers, {}).empty());
+}
