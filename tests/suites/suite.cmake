@@ -28,12 +28,13 @@ function(raysteps_link_suite program objects)
     endif()
 endfunction()
 
-# raysteps_suite(<name> [SANITIZED_IN_DOUBLE] [LABEL <label>] [PICTURE <stage> | STAGES <name>...]
-#     SOURCES <source>...): the suite <name>_float and <name>_double: the sources, compiled as one, with
-# that precision as Real, linked to STAGES: by default all references and the picture of the last stage
-# that needs no meshes. SANITIZED_IN_DOUBLE: with sanitizers, it is built in double only.
+# raysteps_suite(<name> [IN_DOUBLE | SANITIZED_IN_DOUBLE] [LABEL <label>]
+#     [PICTURE <stage> | STAGES <name>...] SOURCES <source>...): the suite <name>_float and <name>_double:
+# the sources, compiled as one, with that precision as Real, linked to STAGES: by default all references
+# and the picture of the last stage that needs no meshes. It is built IN_DOUBLE only if it tests nothing
+# with a Real in it, and SANITIZED_IN_DOUBLE only with sanitizers.
 function(raysteps_suite name)
-    cmake_parse_arguments(PARSE_ARGV 1 suite "SANITIZED_IN_DOUBLE" "LABEL;PICTURE" "STAGES;SOURCES")
+    cmake_parse_arguments(PARSE_ARGV 1 suite "IN_DOUBLE;SANITIZED_IN_DOUBLE" "LABEL;PICTURE" "STAGES;SOURCES")
     if(NOT suite_LABEL)
         set(suite_LABEL common)
     endif()
@@ -49,7 +50,7 @@ function(raysteps_suite name)
         set(whole APART)
     endif()
     foreach(precision IN ITEMS f32 f64)
-        if(precision STREQUAL f32 AND suite_SANITIZED_IN_DOUBLE AND RAYSTEPS_SANITIZE)
+        if(precision STREQUAL f32 AND (RAYSTEPS_SANITIZE AND suite_SANITIZED_IN_DOUBLE OR suite_IN_DOUBLE))
             continue()
         endif()
         set(program ${name}_test_${word_${precision}})

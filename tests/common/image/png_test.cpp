@@ -21,11 +21,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// An empty folder with the lifetime of this object. Both precisions may be tested at the same
-/// time.
+/// An empty folder with the lifetime of this object.
 class Scratch {
 public:
-    Scratch() : folder_(fs::path(sizeof(Real) == 4 ? "picture_float" : "picture_double")) {
+    Scratch() : folder_("picture_of_test") {
         fs::remove_all(folder_);
         fs::create_directories(folder_);
     }
