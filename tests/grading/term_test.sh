@@ -68,13 +68,21 @@ grep -q '^Participant124,Bob Ray,Remis,"13,75","20,00",' results/upload.csv || f
 # In French: the pages, and columns as in Moodle's worksheet.
 echo 'lang: fr' >> results/term.txt
 grade 0 --report
+says "2 of 2 lines have a grade"
 grep -q '^Nom complet,step03_sphere,Note,Note maximale' results/grades.csv || fail "$(head -n 1 results/grades.csv)"
 for page in results/class.html results/students/*_12?/feedback.html; do
     sed -e '/^<style>/,/^<\/style>/d' -e 's/<[^>]*>//g' -e '/: erreur : /d' "$page" > out  # without a compiler's messages
     has_english out && fail "$page is in French"
 done
 grep -q 'la sphère unité' results/students/Zoé_Doe_123/feedback.html || fail "the names of cases are French"
-sed -i 's/^lang: .*/lang: xx/' results/term.txt
+# What is printed is in the terminal's language.
+RAYSTEPS_LANG=fr grade 0 --report
+says "2 lignes sur 2 ont une note"
+grep -q '^Nom complet' results/grades.csv || fail "the pages are in the class's language"
+sed -i '/^lang/d' results/term.txt
+RAYSTEPS_LANG=fr grade 0 --report
+grep -q '^student,' results/grades.csv || fail "English without a line, whatever the terminal: $(head -n 1 results/grades.csv)"
+echo 'lang: xx' >> results/term.txt
 grade 2 --report
 says 'results/term.txt:2: error: "xx" is no language: expected en, or a folder of lang/'
 sed -i '/^lang/d' results/term.txt

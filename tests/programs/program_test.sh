@@ -308,4 +308,19 @@ ln -s nowhere link
 "$build/step12_mirror" --tolerance 0x10 -o x.png > out 2> err
 [ $? = 2 ] && grep -qx 'error: --tolerance must be a number from .*, not "0x10"' err || fail "0x10"
 
+# In French: the help, the trials of --tolerance, what a scene requires, an error of a mesh file.
+RAYSTEPS_SENTENCES=$scenes/../lang/fr/program.po
+export RAYSTEPS_SENTENCES
+printf 'C 0,0,5 0,0,-1 60\nmesh two.off 0,0,0 1 255,0,0\n' > two.rt
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n' > two.off
+for options in --help "$scenes/one_sphere.rt --tolerance 9 --size 40x30 -o x.png" \
+    "$scenes/step11_soft_shadows.rt --requirements" two.rt; do
+    "$build/step12_mirror" $options > out 2>&1
+    sed -i 's/--[a-z-]*//g' out
+    ! grep -wE 'the|of|is|and|not|with|error' out || fail "$options: no English"
+done
+[ ! -e "$build/step13_meshes" ] || "$build/step13_meshes" two.rt -o x.png > out 2>&1
+[ ! -e "$build/step13_meshes" ] || grep -q 'erreur.*le fichier finit après 2 sommets sur 3' out || fail "a mesh file"
+unset RAYSTEPS_SENTENCES
+
 exit $failed
