@@ -1,5 +1,6 @@
 #include "common/course/book/pdf.hpp"
 
+#include "common/course/build/project.hpp"
 #include "common/stages/stages.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
@@ -79,7 +80,8 @@ void print_pages(const fs::path& site, const fs::path& destination) {
     fs::copy(site, copy, fs::copy_options::recursive);
     Command unite{"pdfunite"};
     for (int stage = 1; stage <= int(stage_names.size()); ++stage) {
-        const fs::path page = copy / (name_of(stage) + ".html");
+        fs::path page = copy / project_language() / (name_of(stage) + ".html");
+        if (!fs::exists(page)) page = copy / page.filename();
         if (!fs::exists(page)) continue;  // a hand-out may leave out a stage
         StatusLine status("printing " + name_of(stage) + " …");
         const fs::path pdf = folder / (name_of(stage) + ".pdf");

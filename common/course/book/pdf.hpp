@@ -10,8 +10,8 @@ namespace rt {
 void check_printing(const std::filesystem::path& destination);
 
 /// Prints each stage's page of the site as a PDF, stepNN_name.pdf, and all of them as course.pdf,
-/// into a folder, which appears whole or not at all. Throws InputError as
-/// check_printing does, and ProgramError if one of the programs fails.
+/// in the reader's language if the site has it, into a folder, which appears whole or not at all.
+/// Throws InputError as check_printing does, and ProgramError if one of the programs fails.
 void print_pages(const std::filesystem::path& site, const std::filesystem::path& destination);
 
 }  // namespace rt

@@ -23,8 +23,7 @@ void draw_light(Sketch& sketch, Svg& svg, Vec3 place) {
     for (int i = 0; i < 8; ++i) {
         const Real angle = Real(i) * pi / 4;
         const Vec2 beam(std::cos(angle), std::sin(angle));
-        svg.line(center + Real(10) * beam, center + Real(15) * beam,
-                 {.color = amber, .width = 2});
+        svg.line(center + Real(10) * beam, center + Real(15) * beam, {.color = amber, .width = 2});
     }
     svg.circle(center, 7, "#ffd45c", {.color = amber});
 }
@@ -107,8 +106,8 @@ std::string phong_highlight() {
     const Light light{.position = Real(4) * up};  // straight above: R = L = N
     Vec2 key(520, 56);
     svg.text(key, "cos$^n$ $α$", {.size = 16});
-    for (const Curve& curve : {Curve{2, purple}, Curve{8, blue}, Curve{32, green},
-                               Curve{128, amber}, Curve{512, red}}) {
+    for (const Curve& curve :
+         {Curve{2, purple}, Curve{8, blue}, Curve{32, green}, Curve{128, amber}, Curve{512, red}}) {
         std::vector<Vec2> points;
         for (int i = -2 * limit; i <= 2 * limit; ++i) {
             const Real degrees = Real(i) / 2;

@@ -49,10 +49,10 @@ std::string dark_style() {
         std::string_view dark;
     };
     constexpr std::array colors = {
-        Dark{white, "#0d1117"},    Dark{ink, "#e6edf3"},      Dark{gray, "#9da7b3"},
-        Dark{faint, "#3b434d"},    Dark{tint, "#1b222b"},     Dark{blue, "#4da3e6"},
-        Dark{red, "#f0694d"},      Dark{green, "#5fb878"},    Dark{amber, "#d99a2b"},
-        Dark{purple, "#c792ea"},           Dark{pale_red, "#54271e"}, Dark{pale_blue, "#1d3a54"}};
+        Dark{white, "#0d1117"},  Dark{ink, "#e6edf3"},      Dark{gray, "#9da7b3"},
+        Dark{faint, "#3b434d"},  Dark{tint, "#1b222b"},     Dark{blue, "#4da3e6"},
+        Dark{red, "#f0694d"},    Dark{green, "#5fb878"},    Dark{amber, "#d99a2b"},
+        Dark{purple, "#c792ea"}, Dark{pale_red, "#54271e"}, Dark{pale_blue, "#1d3a54"}};
     std::string text = "<style>@media (prefers-color-scheme:dark){";
     for (const auto& [light, dark] : colors)
         for (const std::string_view part : {"fill", "stroke"}) {

@@ -13,15 +13,15 @@ namespace rt::figures {
 // twin (svg.cpp), for readers who prefer a dark page.
 inline constexpr std::string_view none = "none";
 inline constexpr std::string_view white = "#ffffff";
-inline constexpr std::string_view ink = "#24292f";    ///< shapes, text
-inline constexpr std::string_view gray = "#68707a";   ///< construction lines, rejected parts
-inline constexpr std::string_view faint = "#d3d9e0";  ///< grids, grounds
-inline constexpr std::string_view tint = "#edf2f7";   ///< the inside of a shape
-inline constexpr std::string_view blue = "#1f6bad";   ///< rays
-inline constexpr std::string_view red = "#c23b22";    ///< hits
-inline constexpr std::string_view green = "#35784a";  ///< normals, bases
-inline constexpr std::string_view amber = "#a86500";  ///< light
-inline constexpr std::string_view purple = "#7a3b99"; ///< misprints of a document, what is wrong
+inline constexpr std::string_view ink = "#24292f";     ///< shapes, text
+inline constexpr std::string_view gray = "#68707a";    ///< construction lines, rejected parts
+inline constexpr std::string_view faint = "#d3d9e0";   ///< grids, grounds
+inline constexpr std::string_view tint = "#edf2f7";    ///< the inside of a shape
+inline constexpr std::string_view blue = "#1f6bad";    ///< rays
+inline constexpr std::string_view red = "#c23b22";     ///< hits
+inline constexpr std::string_view green = "#35784a";   ///< normals, bases
+inline constexpr std::string_view amber = "#a86500";   ///< light
+inline constexpr std::string_view purple = "#7a3b99";  ///< misprints of a document, what is wrong
 inline constexpr std::string_view pale_blue = "#d5e5f3";
 inline constexpr std::string_view pale_red = "#f6dcd6";
 
