@@ -330,6 +330,8 @@ def on_page_content(html, page, config, files):
                 f'<script type="module" src="{to_root(page)}figures/{name}.js"></script>')
 
     html = re.sub(r"(<p><img [^>]*></p>)\s*<!-- figure: ([\w-]+)(?: scenes/(\S+\.rt))? -->", figure, html)
+    if page.file.src_path.startswith("mistakes/"):  # whose table of contents has a link to each
+        html = re.sub(r'<a class="headerlink".*?</a>', "", html)
     html = with_english_anchors(html, page)
     headings = page.toc.items[0].children
     for heading in [*headings, *(below for heading in headings for below in heading.children)]:
@@ -404,8 +406,9 @@ def with_joined_lines(html):
                   lambda found: f'<span class="{found[1]}">{re.sub("<[^>]*>", "", found[0])}</span>', html)
 
 
-def without_empty_headers(html):
-    """An empty cell is no header: a screen reader would call it one."""
+def with_legible_cells(html):
+    """An empty cell is no header: a screen reader would call it one. A long one is not a word wide on a phone."""
+    html = re.sub(r"<td>(?=[^<]{60})", '<td class="long">', html)
     html = re.sub(r"<thead>\s*<tr>(\s*<th[^>]*></th>)+\s*</tr>\s*</thead>", "", html)
     return re.sub(r"<th([^>]*)></th>", r"<td\1></td>", html)
 
@@ -441,7 +444,7 @@ def on_post_page(output, page, config):
     contents = head[head.rfind('<nav class="md-nav md-nav--secondary"'):head.rfind("</nav>")]
     if head.count(contents) == 2:
         head = re.sub(r'<input[^>]* id="__toc"><label class="md-nav__link.*?</label>', "", head.replace(contents + "</nav>", "", 1), flags=re.S)
-    return head + typesetter.typeset(without_empty_headers(with_joined_lines(with_breaks(article))), page) + foot
+    return head + typesetter.typeset(with_legible_cells(with_joined_lines(with_breaks(article))), page) + foot
 
 
 def build_other_languages(site):
