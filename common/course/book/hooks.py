@@ -488,11 +488,12 @@ def on_post_build(config):
     for script in live.glob("*.js"):
         shutil.copy(script, site / "figures")
     for module in engine.glob("*.wasm"):
-        pack(module, site / "figures" / module.name)
+        pack(module.read_bytes(), site / "figures" / module.name)
     for each in languages:
-        (site / f"figures/{each}.json").write_text(
-            json.dumps(translations.sentences_of_figures(each), ensure_ascii=False), encoding="utf-8")
+        pack(json.dumps(translations.sentences_of_figures(each)).encode(), site / f"figures/{each}.json")
     meshes = [f"meshes/{name}" for name in meshes_in_pages if (project / "scenes/meshes" / name).exists()]
     for scene in [*scenes_in_pages, *(meshes if scenes_in_pages else [])]:
         (site / "figures/scenes" / scene).parent.mkdir(parents=True, exist_ok=True)
-        (pack if scene in meshes else shutil.copy)(project / "scenes" / scene, site / "figures/scenes" / scene)
+        shutil.copy(project / "scenes" / scene, site / "figures/scenes" / scene)
+    for mesh in meshes if scenes_in_pages else []:
+        pack((site / "figures/scenes" / mesh).read_bytes(), site / "figures/scenes" / mesh)

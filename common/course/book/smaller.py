@@ -133,9 +133,9 @@ def make_files_smaller(site, style_sheet):
     (site / "book/katex/katex.min.css").write_text(formulas.all_styles(), encoding="utf-8")
 
 
-def pack(file, target):
-    """A file that docs/figures/live/content.js unpacks."""
-    target.write_bytes(gzip.compress(file.read_bytes(), mtime=0))
+def pack(content, target):
+    """Writes a file that docs/figures/live/content.js unpacks."""
+    target.write_bytes(gzip.compress(content, mtime=0))
 
 
 def without_tex(text):

@@ -1,7 +1,9 @@
 // The words of figures in the language of the page: figures/LANGUAGE.json, which the book writes, has the catalogues' texts by
 // the English ones, some with {names} in the place of values (common/system/translation.hpp).
+import { content } from "./content.js";
+
 const language = document.documentElement.lang || "en";
-const texts = language === "en" ? {} : await fetch(new URL(`${language}.json`, import.meta.url)).then((answer) => answer.json()).catch(() => ({}));
+const texts = language === "en" ? {} : await content(`${language}.json`).then((bytes) => JSON.parse(new TextDecoder().decode(bytes))).catch(() => ({}));
 
 const place = /\{(\w+)\}/g;
 const patterns = Object.keys(texts).filter((english) => english.search(place) >= 0).map((english) => {
