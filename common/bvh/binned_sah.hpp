@@ -56,7 +56,7 @@ public:
     [[nodiscard]] std::array<PrimitiveRange, 2> split_middle(const PrimitiveRange& range) const;
 
     /// Frees the memory of the boxes, after the last split.
-    void free_boxes() { boxes_ = {}; }
+    void free_boxes() { boxes_ = std::vector<Box4>(); }  // {} would keep the memory
 
 private:
     struct Bin;

@@ -26,11 +26,11 @@ constexpr std::size_t thread_size = 65536;
 struct BinaryNode {
     std::array<float, 6> planes;  ///< as in Node
     std::uint32_t begin;
-    std::uint32_t size;
     std::uint32_t to_upper = 0;  ///< number of nodes from this one to its upper part; 0 if a leaf
-    /// If the range is to be covered by at most i nodes, the number of them for the lower part; 0
-    /// if it is covered by one node of its own, or is a leaf.
-    std::array<std::uint8_t, Node::width + 1> lower_share{};
+    std::uint8_t leaf_size = 0;  ///< number of boxes, if a leaf
+    /// If the range is to be covered by at most i + 2 nodes, the number of them for the lower part;
+    /// 0 if it is covered by one node of its own, or is a leaf.
+    std::array<std::uint8_t, Node::width - 1> lower_share{};
 };
 
 /// The sum of the surface areas of all nodes in a range, which is the expected number of visits, if
@@ -97,19 +97,19 @@ NodeAreas choose(BinaryNode& node, float area, const NodeAreas& lower, const Nod
             const float sum = lower[share] + upper[count - share];
             if (share > 1 && !(sum < areas[count])) continue;
             areas[count] = sum;
-            node.lower_share[count] = std::uint8_t(share);
+            node.lower_share[count - 2] = std::uint8_t(share);
         }
         if (count == Node::width) areas[1] = area + areas[count];
         if (count == Node::width || !(areas[1] <= areas[count])) continue;
         areas[count] = areas[1];
-        node.lower_share[count] = 0;
+        node.lower_share[count - 2] = 0;
     }
     return areas;
 }
 
 /// Appends the at most `places` nodes and leaves that cover the range of `node`.
 void collect(std::vector<const BinaryNode*>& children, const BinaryNode& node, std::size_t places) {
-    const std::size_t share = node.lower_share[places];
+    const std::size_t share = places > 1 ? node.lower_share[places - 2] : 0;
     if (share == 0) return children.push_back(&node);
     collect(children, *(&node + 1), share);
     collect(children, *(&node + node.to_upper), places - share);
@@ -166,9 +166,11 @@ NodeAreas BvhBuilder::split(Nodes& nodes, const PrimitiveRange& range, std::size
     const auto min = values(range.bounds.min);
     const auto max = values(range.bounds.max);
     nodes.push_back({.planes = {min[0], max[0], min[1], max[1], min[2], max[2]},
-                     .begin = std::uint32_t(range.begin),
-                     .size = std::uint32_t(range.size())});
-    if (range.size() <= leaf_size_) return {};
+                     .begin = std::uint32_t(range.begin)});
+    if (range.size() <= leaf_size_) {
+        nodes[place].leaf_size = std::uint8_t(range.size());
+        return {};
+    }
     const auto [lower, upper] =
         depth < halving_depth ? ranges_.split(range) : ranges_.split_middle(range);
     Nodes separate;
@@ -188,7 +190,7 @@ NodeAreas BvhBuilder::split(Nodes& nodes, const PrimitiveRange& range, std::size
 std::uint32_t BvhBuilder::add(Bvh& tree, const BinaryNode& node) const {
     if (node.to_upper == 0) {
         tree.leaves_.emplace_back().indices.fill(Leaf::none);
-        std::ranges::copy(ranges_.indices().subspan(node.begin, node.size),
+        std::ranges::copy(ranges_.indices().subspan(node.begin, node.leaf_size),
                           tree.leaves_.back().indices.begin());
         return std::uint32_t(tree.leaves_.size() - 1) | Node::leaf_bit;
     }
