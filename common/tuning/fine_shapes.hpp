@@ -1,5 +1,5 @@
-// The pixels that shapes narrower than a pixel may cover in part, known from the scene before any
-// ray is traced.
+// The pixels that shapes narrower than a pixel, and gaps between shapes, may cover in part, known
+// from the scene before any ray is traced.
 #pragma once
 
 #include "common/scene/scene.hpp"
@@ -7,8 +7,8 @@
 
 namespace rt {
 
-/// The fine shapes of the scene, seen from its camera. Shapes that another one hides count as well;
-/// their shadows and their reflections do not.
+/// The fine shapes and gaps of the scene, seen from its camera. Those that another shape hides
+/// count as well; shadows and reflections of them do not.
 [[nodiscard]] FineShapes fine_shapes(const Scene& scene);
 
 }  // namespace rt

@@ -98,11 +98,11 @@ struct PixelHistory {
     }
 };
 
-/// The shapes narrower than a pixel.
+/// The shapes narrower than a pixel, and the gaps between shapes.
 struct FineShapes {
-    std::vector<float> parts;  ///< for each pixel, the smallest part of it that such a shape may
+    std::vector<float> parts;  ///< for each pixel, the smallest part of it that one may
                                ///< cover; 1 if none does. Empty if there are none.
-    std::string narrowest;     ///< kind of the narrowest
+    std::string narrowest;     ///< kind of the narrowest, as "sphere" or "gap beside a sphere"
     double width = 0;          ///< of that, in pixels
 };
 

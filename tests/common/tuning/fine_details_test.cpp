@@ -178,3 +178,73 @@ TEST_CASE("the pixels of shapes narrower than a pixel are known before any ray i
     scene.spheres.push_back({.shape = {{0, 0, 20}, pixel_side / 1000}, .material = {}});  // behind
     CHECK(fine_shapes(scene).narrowest == "cylinder");
 }
+
+TEST_CASE("gaps narrower than a pixel between wide shapes are known before any ray is traced") {
+    // Of a gap along row 36, whose middle is in the middle of the row.
+    const Real middle = -pixel_side / 2;
+    const Real side = 4;
+    const auto add_square = [side](Scene& scene, Real x, Real y, Real z = 0) {
+        scene.squares.push_back({.shape = {.center = {x, y, z}, .side = side}, .material = {}});
+    };
+    const auto with_gap = [&](Real width) {
+        Scene scene = wall(1);
+        add_square(scene, 0, middle + (side + width * pixel_side) / 2);
+        add_square(scene, 0, middle - (side + width * pixel_side) / 2);
+        return scene;
+    };
+    const auto marked = [](const Scene& scene) {
+        const FineShapes fine = fine_shapes(scene);
+        return std::ranges::count_if(fine.parts, [](float of) { return of < 1; });
+    };
+    const FineShapes fine = fine_shapes(with_gap(Real(1) / 12));
+    CHECK(fine.narrowest == "gap beside a square");
+    CHECK(fine.width == Approx(1. / 12).epsilon(0.01));
+    for (int column = 29; column < 67; ++column)  // its ends are open to the sides
+        CHECK(fine.parts[std::size_t(36 * picture_size.width + column)] ==
+              Approx(1. / 24).epsilon(0.01));
+    CHECK(marked(with_gap(0)) == 0);           // an edge of both
+    CHECK(marked(with_gap(Real(-0.2))) == 0);  // they overlap
+    CHECK(marked(with_gap(Real(1.5))) == 0);   // wide enough to be seen
+    // A square behind the gap does not close it.
+    Scene scene = with_gap(Real(1) / 12);
+    add_square(scene, 0, 0, -1);
+    CHECK(marked(scene) >= 36);
+    // Triangles that share edges, as those of a mesh do, have no gap between them.
+    Scene fan = wall(1);
+    const Vec3 hub{Real(0.03), Real(0.02), 0};
+    for (int i = 0; i < 12; ++i) {
+        const auto spoke = [hub](int k) {
+            const Real angle = Real(k % 12) * pi / 6;
+            return hub + Real(3) * Vec3(std::cos(angle), std::sin(angle), 0);
+        };
+        fan.triangles.push_back({.shape = {hub, spoke(i), spoke(i + 1)}, .material = {}});
+    }
+    CHECK(marked(fan) == 0);
+    // Two spheres that nearly touch: only there.
+    Scene two = wall(1);
+    for (const Real side_of : {Real(-1), Real(1)})
+        two.spheres.push_back(
+            {.shape = {{side_of * Real(1.001), middle, 0}, Real(1)}, .material = {}});
+    CHECK(marked(two) > 0);
+    CHECK(marked(two) < 12);
+    CHECK(fine_shapes(two).narrowest == "gap beside a sphere");
+    // Boards that begin behind the camera.
+    Scene boards = wall(1);
+    boards.cameras.front() = {.position = {0, 1, 10}, .fov = 1};
+    for (int i = 0; i < 2; ++i) {
+        const Real x = Real(i) * 2 - 2;
+        const Vec3 a{x, 0, 20};
+        const Vec3 b{x + Real(1.999), 0, 20};
+        const Vec3 away{0, 0, -25};
+        boards.triangles.push_back({.shape = {a, b, b + away}, .material = {}});
+        boards.triangles.push_back({.shape = {a, b + away, a + away}, .material = {}});
+    }
+    CHECK(fine_shapes(boards).narrowest == "gap beside a triangle");
+    Scene aside = wall(1);  // a square of 20 pixels, of which the camera sees the side
+    aside.squares.push_back({.shape = {.center = {0, middle, 0},
+                                       .basis = {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
+                                       .side = 2},
+                             .material = {}});
+    CHECK(fine_shapes(aside).narrowest == "square");
+    CHECK(fine_shapes(aside).width < 0.2);
+}
