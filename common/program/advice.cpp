@@ -55,7 +55,7 @@ std::vector<Advice> advice(const Scene& scene) {
     add(has_sized, {"a lamp with a size", "grain", "--shadow-samples 64", "4 times its rays"});
     add(depth > RenderSettings().depth, {"mirrors", "reflections end too early",
                                          "--depth " + std::to_string(depth), "hardly any time"});
-    add(!fine_shapes(scene).narrowest.empty(),
+    add(fine_shapes(scene).matter(),
         {"narrow shapes", "gaps, missing parts", "--tolerance 2", "the rays they need"});
     add(lengths.loses_sizes(float_unit_roundoff),
         {"far from the origin", "float is off", "--precision double", "up to 1.1 times"});

@@ -64,7 +64,7 @@ void PixelStudy::expect_details(const SceneTraits& traits) {
     std::vector<float> parts;
     std::ranges::copy_if(fine_.parts, std::back_inserter(parts),
                          [](float part) { return part < 1; });
-    if (double(parts.size()) <= very_few * runner_.pixels()) return fine_.parts.clear();
+    if (!fine_.matter()) return fine_.parts.clear();
     const auto least = parts.begin() + std::ptrdiff_t(very_few * runner_.pixels());
     std::ranges::nth_element(parts, least);
     // A detail that every ray misses does not matter if it changes no pixel by more than the

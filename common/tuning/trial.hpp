@@ -6,6 +6,7 @@
 #include "common/render/render_settings.hpp"
 #include "common/tuning/scene_lengths.hpp"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <bit>
@@ -104,6 +105,12 @@ struct FineShapes {
                                ///< cover; 1 if none does. Empty if there are none.
     std::string narrowest;     ///< kind of the narrowest, as "sphere" or "gap beside a sphere"
     double width = 0;          ///< of that, in pixels
+
+    /// Returns whether more than one pixel in a thousand has some: fewer cannot break the promise.
+    [[nodiscard]] bool matter() const {
+        return std::ranges::count_if(parts, [](float part) { return part < 1; }) * 1000 >
+               std::ptrdiff_t(parts.size());
+    }
 };
 
 /// The histories of the pixels of a trial, and their cost.
