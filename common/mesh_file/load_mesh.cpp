@@ -3,16 +3,16 @@
 #include "common/geometry/mesh_edges.hpp"
 #include "common/geometry/mesh_normals.hpp"
 #include "common/mesh_file/mesh_file.hpp"
+#include "common/system/formatted.hpp"
 #include "common/system/huge_pages.hpp"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <cstdio>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -20,10 +20,6 @@ namespace rt {
 inline namespace RT_PRECISION {
 
 namespace {
-
-/// Edges of an STL file stay sharp beyond this angle between the normals of their faces, in
-/// radians.
-constexpr double crease_angle = 40 * std::numbers::pi / 180;
 
 /// The largest share of a triangle's size by which rounding to float may move its corners unseen.
 constexpr double unseen_share = 1e-4;
@@ -63,7 +59,7 @@ std::vector<Vec3> rounded_vertices(const MeshFile& content) {
 }
 
 /// The smallest box around the triangles: its lowest and its highest corner.
-[[maybe_unused]] std::pair<glm::dvec3, glm::dvec3> box_of(const MeshFile& content) {
+std::pair<glm::dvec3, glm::dvec3> box_of(const MeshFile& content) {
     glm::dvec3 low(content.vertices[content.triangles[0][0]]);
     glm::dvec3 high = low;
     for (const auto& corners : content.triangles) {
@@ -124,30 +120,44 @@ void leave_out_doubled(Triangles& triangles, const Warn& warn) {
              " the corners of another one: left out");
 }
 
-}  // namespace
-
-std::string loss_in_float(glm::dvec3 low, glm::dvec3 high) {
-    const double largest = std::max(largest_of(low), largest_of(high));
-    const double shift = double(std::numeric_limits<float>::epsilon()) / 2 * largest;
+/// A sentence about coordinates that are all floats, and too coarse there: the file has no digits
+/// that double could keep. Empty if there is no such loss, or no last digit of a float in use.
+std::string loss_in_file(const MeshFile& content, glm::dvec3 low, glm::dvec3 high) {
     const double size = largest_of(high - low);
-    if (!(shift > unseen_share * size)) return "";
-    std::array<char, 160> text;
-    std::snprintf(text.data(), text.size(),
-                  "coordinates reach %.3g, where float moves points by up to %.2g, and the mesh is "
-                  "%.2g large",
-                  largest, shift, size);
-    return text.data();
+    double step = 0;
+    for (const glm::dvec3& vertex : content.vertices) {
+        if (vertex != as_float(vertex)) return "";
+        for (int i = 0; i < 3; ++i) {
+            const float value = std::abs(float(vertex[i]));
+            const bool has_last_digit = (std::bit_cast<std::uint32_t>(value) & 1) != 0;
+            if (has_last_digit) step = std::max(step, double(value - std::nextafter(value, 0.F)));
+        }
+    }
+    if (!(step / 2 > unseen_share * size)) return "";
+    return formatted(
+        "all coordinates are floats, which have steps of %.2g here, and the mesh is %.2g large: it "
+        "may have lost its shape before it was written",
+        step, size);
 }
 
-void warn_of_turned_triangles(const Mesh& mesh, const std::string& file, const Warn& warn) {
-    const auto others = other_sides(mesh.triangles, mesh.vertices.size());
-    const Orientation orientation = orientation_of(mesh.triangles, others);
+void warn_of_loss(const MeshFile& content, const Warn& warn_of) {
+    const auto [low, high] = box_of(content);
+    const std::string in_file = loss_in_file(content, low, high);
+    if (!in_file.empty()) warn_of(in_file);
+#ifdef RT_FLOAT
+    const std::string in_float = loss_in_float(low, high);
+    if (in_file.empty() && !in_float.empty()) warn_of(in_float + "; try --precision double");
+#endif
+}
+
+void warn_of_sides(const Orientation& orientation, std::size_t triangles, const std::string& file,
+                   const Warn& warn) {
     const auto warn_of = [&](std::size_t count, const char* one, const char* many,
                              const std::string& then) {
         if (count == 0) return;
         warn(to_string(FileLocation{file}) + "warning: " + std::to_string(count) + " of " +
-             std::to_string(mesh.triangles.size()) + " triangles " + (count == 1 ? one : many) +
-             then + "try normals:flat");
+             std::to_string(triangles) + " triangles " + (count == 1 ? one : many) + then +
+             "try normals:flat");
     };
     warn_of(orientation.turned, "is", "are",
             " turned over, compared to their neighbors, and shading around them is wrong: "
@@ -157,25 +167,53 @@ void warn_of_turned_triangles(const Mesh& mesh, const std::string& file, const W
             "neighbors turn the other way: ");
 }
 
-Mesh load_mesh(const std::string& file, const Warn& warn) {
+/// Turns facets over that are turned, compared to their neighbors: shading sees both sides of a
+/// facet, but smooth normals need them alike. Warns of surfaces with only one side.
+void turn_over(Mesh& mesh, const std::string& file, const Warn& warn) {
+    Orientation orientation =
+        orientation_of(mesh.triangles, other_sides(mesh.triangles, mesh.vertices.size()));
+    for (std::size_t i = 0; i < orientation.is_turned.size(); ++i)
+        if (orientation.is_turned[i]) std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
+    orientation.turned = 0;
+    if (warn) warn_of_sides(orientation, mesh.triangles.size(), file, warn);
+}
+
+}  // namespace
+
+std::string loss_in_float(glm::dvec3 low, glm::dvec3 high) {
+    const double largest = std::max(largest_of(low), largest_of(high));
+    const double shift = double(std::numeric_limits<float>::epsilon()) / 2 * largest;
+    const double size = largest_of(high - low);
+    if (!(shift > unseen_share * size)) return "";
+    return formatted(
+        "coordinates reach %.3g, where float moves points by up to %.2g, and the mesh is %.2g "
+        "large",
+        largest, shift, size);
+}
+
+void warn_of_turned_triangles(const Mesh& mesh, const std::string& file, const Warn& warn) {
+    const auto others = other_sides(mesh.triangles, mesh.vertices.size());
+    warn_of_sides(orientation_of(mesh.triangles, others), mesh.triangles.size(), file, warn);
+}
+
+Mesh load_mesh(const std::string& file, const Warn& warn, bool smooth) {
     MeshFile content = read_mesh_file(file);
     const auto warn_of = [&](const std::string& warning, int line = 0) {
         if (warn) warn(to_string(FileLocation{file, line}) + "warning: " + warning);
     };
-    for (const auto& [text, line] : content.warnings) warn_of(text, line);
-#ifdef RT_FLOAT
-    const auto [low, high] = box_of(content);
-    if (const std::string loss = loss_in_float(low, high); !loss.empty())
-        warn_of(loss + "; try --precision double");
-#endif
+    for (const auto& [text, line, of_normals] : content.warnings)
+        if (smooth || !of_normals) warn_of(text, line);
+    warn_of_loss(content, warn_of);
     std::vector<Vec3> vertices = rounded_vertices(content);  // which looks at the triangles
     Mesh mesh = {.vertices = std::move(vertices), .triangles = std::move(content.triangles)};
+    if (content.facets) leave_out_doubled(mesh.triangles, warn_of);
+    if (!smooth) return mesh;
     set_normals(mesh, content);
-    if (!mesh.normals.empty()) turn_to_normals(mesh);
-    if (content.facets) {
-        leave_out_doubled(mesh.triangles, warn_of);
-        if (warn) warn_of_turned_triangles(mesh, file, warn);
-        add_creased_normals(mesh, crease_angle);
+    if (!mesh.normals.empty()) {
+        turn_to_normals(mesh);
+    } else if (content.crease) {
+        if (content.facets) turn_over(mesh, file, warn);
+        add_creased_normals(mesh, *content.crease);
     }
     return mesh;
 }

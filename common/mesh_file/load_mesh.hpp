@@ -12,11 +12,13 @@ namespace rt {
 inline namespace RT_PRECISION {
 
 /// Loads an OFF, OBJ, PLY or STL file, as the end of its name indicates, with every polygon cut
-/// into triangles. The normals are the file's if it has one for every vertex; of STL those of its
-/// facets, smooth but for creases; else empty (common/geometry/mesh_normals.hpp computes them).
-/// Throws InputError if the file is wrong. `warn`, if given, receives a warning for content that is
-/// hardly intended.
-[[nodiscard]] Mesh load_mesh(const std::string& file, const Warn& warn = nullptr);
+/// into triangles. Without `smooth` it has no normals. Else they are the file's if it has one for
+/// every vertex; of STL those of its facets, smooth but for creases; of an OBJ that is `s off`,
+/// those of its faces; else empty (common/geometry/mesh_normals.hpp computes them). Throws
+/// InputError if the file is wrong. `warn`, if given, receives a warning for content that is hardly
+/// intended.
+[[nodiscard]] Mesh load_mesh(const std::string& file, const Warn& warn = nullptr,
+                             bool smooth = true);
 
 /// A sentence about coordinates in the box from `low` to `high` that float cannot resolve; empty if
 /// there is no such loss.
@@ -24,7 +26,7 @@ inline namespace RT_PRECISION {
 
 /// Warns of triangles whose corners run around the other way than those of their neighbors, and of
 /// surfaces with only one side, where that cannot be mended. Call it before the normals are
-/// computed: load_mesh does where they are its own, in STL.
+/// computed. (load_mesh turns the triangles of an STL.)
 void warn_of_turned_triangles(const Mesh& mesh, const std::string& file, const Warn& warn);
 
 }  // namespace RT_PRECISION

@@ -111,8 +111,8 @@ MeshFile MeshBuilder::take() {
     if (!has_all_normals()) {
         mesh_.normals.clear();
     } else if (without_direction_ > 0) {
-        warn(counted(without_direction_, "normal is", "normals are") +
-             " zero or not a number: computed from the faces");
+        warn_of_normals(counted(without_direction_, "normal is", "normals are") +
+                        " zero or not a number: computed from the faces");
     }
     mesh_.normals.resize(mesh_.normals.empty() ? 0 : mesh_.vertices.size(), glm::dvec3(0));
     return std::move(mesh_);

@@ -39,10 +39,19 @@ public:
     void add_face(std::span<const std::uint32_t> corners);
 
     void warn(const std::string& warning, int line = 0) {
-        mesh_.warnings.push_back({warning, line});
+        mesh_.warnings.push_back({.text = warning, .line = line});
     }
+    /// Warns of normals, which flat shading does not use.
+    void warn_of_normals(const std::string& warning) {
+        mesh_.warnings.push_back({.text = warning, .of_normals = true});
+    }
+    /// Edges whose faces meet at a larger angle stay sharp where normals are computed; in radians.
+    void set_crease(double angle) { mesh_.crease = angle; }
     /// For a format whose vertices are shared only because they are in the same place.
-    void set_facets() { mesh_.facets = true; }
+    void set_facets(double crease) {
+        mesh_.facets = true;
+        mesh_.crease = crease;
+    }
 
     [[nodiscard]] std::size_t vertex_count() const { return mesh_.vertices.size(); }
 

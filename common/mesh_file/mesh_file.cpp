@@ -69,12 +69,8 @@ MeshFile parse_mesh_file(std::string content, const std::string& file) {
 }
 
 MeshFile read_mesh_file(const std::string& file) {
-    // Checks that need not read much. A device may be endless, and a pipe cannot be read twice.
-    static_cast<void>(reader_for(file));
+    static_cast<void>(reader_for(file));  // before a large file is read
     std::error_code has_none;
-    const auto status = std::filesystem::status(file, has_none);
-    if (std::filesystem::exists(status) && std::filesystem::is_other(status))
-        throw InputError({file}, "is a device or a pipe: expected a file");
     const std::uintmax_t size = std::filesystem::file_size(file, has_none);
     if (!has_none) require_size(size, file);
     return parse_mesh_file(read_input_file(file, largest_mesh_file), file);

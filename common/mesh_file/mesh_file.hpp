@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,8 @@ inline constexpr int most_corners = 4096;
 /// Content that is accepted but hardly intended.
 struct MeshWarning {
     std::string text;
-    int line = 0;  ///< 0 if it has none
+    int line = 0;             ///< 0 if it has none
+    bool of_normals = false;  ///< which flat shading does not use
 };
 
 struct MeshFile {
@@ -29,6 +31,8 @@ struct MeshFile {
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< at least one
     std::vector<MeshWarning> warnings;
     bool facets = false;  ///< the file has no shared vertices: this reader joined its corners
+    /// The angle between faces beyond which an edge is sharp, in radians; nothing if none is.
+    std::optional<double> crease;
 };
 
 /// Reads the mesh in the file. Throws InputError if the file cannot be read, or a part of it is

@@ -87,6 +87,12 @@ void MeshLines::refuse(const std::string& message) const {
     throw InputError({file_, number_}, message);
 }
 
+void MeshLines::refuse_end(std::uint64_t read, std::uint64_t count,
+                           const std::string& items) const {
+    refuse("the file ends after " + std::to_string(read) + " of " + std::to_string(count) + " " +
+           items + ": each needs a line of its own");
+}
+
 std::string_view take_word(std::string_view& line) {
     std::size_t begin = 0;
     while (begin < line.size() && is_blank(line[begin])) ++begin;
@@ -185,7 +191,11 @@ glm::dvec3 take_point(std::string_view& line, const char* what, const MeshLines&
 }
 
 glm::dvec3 take_normal(std::string_view& line, const char* what, const MeshLines& lines) {
-    return take_three(line, what, lines, take_number_or_nan);
+    return take_three(line, what, lines, [](std::string_view& rest) {
+        skip_blanks(rest);
+        const double none = std::numeric_limits<double>::quiet_NaN();
+        return rest.empty() ? none : take_number_or_nan(rest);
+    });
 }
 
 void require_no_word(std::string_view rest, const char* what, const MeshLines& lines) {

@@ -41,6 +41,9 @@ public:
     [[nodiscard]] int number() const { return number_; }
     /// Throws InputError at the last line.
     [[noreturn]] void refuse(const std::string& message) const;
+    /// Throws InputError for a list, of `count` vertices for example, that ends after so many.
+    [[noreturn]] void refuse_end(std::uint64_t read, std::uint64_t count,
+                                 const std::string& items) const;
 
 private:
     std::string_view text_;
@@ -75,7 +78,8 @@ private:
 [[nodiscard]] glm::dvec3 take_point(std::string_view& line, const char* what,
                                     const MeshLines& lines);
 
-/// As take_point, for a vector of which take_number_or_nan accepts each number.
+/// As take_point, for a vector of which take_number_or_nan accepts each number, or the line ends
+/// before it: NaN.
 [[nodiscard]] glm::dvec3 take_normal(std::string_view& line, const char* what,
                                      const MeshLines& lines);
 

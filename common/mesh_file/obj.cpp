@@ -14,7 +14,7 @@ namespace rt {
 
 namespace {
 
-/// A line of an OBJ file that is read: v, vn or f.
+/// A line of an OBJ file that is read: v, vn, f or s.
 struct Statement {
     std::string_view keyword;
     std::string_view rest;
@@ -30,11 +30,11 @@ std::string_view without_comment(std::string_view line) {
 
 /// The other statements of an OBJ file, in the order of its specification.
 constexpr auto skipped = std::to_array<std::string_view>(
-    {"vp",       "vt",     "deg",    "bmat",   "step",       "cstype",    "p",     "l",
-     "curv",     "curv2",  "surf",   "parm",   "trim",       "hole",      "scrv",  "sp",
-     "end",      "con",    "g",      "s",      "mg",         "o",         "bevel", "c_interp",
-     "d_interp", "lod",    "usemtl", "mtllib", "shadow_obj", "trace_obj", "ctech", "stech",
-     "maplib",   "usemap", "call",   "csh"});
+    {"vp",        "vt",       "deg",      "bmat",   "step",   "cstype", "p",
+     "l",         "curv",     "curv2",    "surf",   "parm",   "trim",   "hole",
+     "scrv",      "sp",       "end",      "con",    "g",      "mg",     "o",
+     "bevel",     "c_interp", "d_interp", "lod",    "usemtl", "mtllib", "shadow_obj",
+     "trace_obj", "ctech",    "stech",    "maplib", "usemap", "call",   "csh"});
 
 /// The statements of a file.
 class Statements {
@@ -45,7 +45,7 @@ public:
         while (const auto line = lines_.next()) {
             std::string_view rest = without_comment(*line);
             const std::string_view keyword = take_word(rest);
-            if (keyword != "v" && keyword != "vn" && keyword != "f") {
+            if (keyword != "v" && keyword != "vn" && keyword != "f" && keyword != "s") {
                 note(keyword);
                 continue;
             }
@@ -91,20 +91,12 @@ private:
     int foreign_line_ = 0;
 };
 
-/// Converts an index, from 1, or negative to count back from the last of `before`, to one from 0.
-std::int64_t from_zero(std::string_view word, const char* what, std::size_t before,
-                       const MeshLines& lines) {
-    const auto number = whole_number(word);
-    const auto count = static_cast<std::int64_t>(before);
-    if (!number || *number == 0) {
-        lines.refuse(std::string("a corner's ") + what +
-                     " must be a whole number other than 0, not " + quoted(word));
-    }
-    if (*number < -count) {
-        lines.refuse(std::string("a corner's ") + what + " must be one of the " +
-                     std::to_string(count) + " before it, not " + quoted(word));
-    }
-    return *number < 0 ? count + *number : *number - 1;
+/// Converts an index, from 1, or negative to count back from the last of `before`, to one from 0;
+/// nothing if it is 0, or before the first.
+std::optional<std::size_t> from_zero(std::int64_t number, std::size_t before) {
+    if (number > 0) return std::size_t(number - 1);
+    if (number == 0 || number < -std::int64_t(before)) return std::nullopt;
+    return before - std::size_t(-number);
 }
 
 /// Reads the faces of a file whose vertices and normals are known.
@@ -129,36 +121,45 @@ public:
 
     void warn_of_lost_normals() const {
         if (lost_normals_ == 0) return;
-        builder_.warn(std::to_string(lost_normals_) +
-                      (lost_normals_ == 1 ? " corner names a normal that is"
-                                          : " corners name normals that are") +
-                      " not in the file: computed from the faces");
+        builder_.warn_of_normals(std::to_string(lost_normals_) +
+                                 (lost_normals_ == 1 ? " corner names a normal that is"
+                                                     : " corners name normals that are") +
+                                 " not in the file: computed from the faces");
     }
 
 private:
     /// Reads a corner "vertex", "vertex/texture", "vertex//normal" or "vertex/texture/normal".
     std::uint32_t corner(std::string_view word) {
         const std::size_t first = word.find('/');
-        const std::int64_t index =
-            from_zero(word.substr(0, first), "vertex", vertices_before_, lines_);
-        if (index >= std::int64_t(vertices_)) {
+        const std::string_view of_vertex = word.substr(0, first);
+        const std::int64_t number = whole(of_vertex, "vertex");
+        const auto index = from_zero(number, vertices_before_);
+        if (!index || *index >= vertices_) {
             lines_.refuse("a corner's vertex must be " +
-                          (vertices_ == 0 ? "in the file, which has none"
-                                          : "from 1 to " + std::to_string(vertices_)) +
-                          ", not " + quoted(word.substr(0, first)));
+                          (number == 0 ? "a whole number other than 0"
+                           : number < 0
+                               ? "one of the " + std::to_string(vertices_before_) + " before it"
+                           : vertices_ == 0 ? "in the file, which has none"
+                                            : "from 1 to " + std::to_string(vertices_)) +
+                          ", not " + quoted(of_vertex));
         }
-        const auto vertex = static_cast<std::uint32_t>(index);
+        const auto vertex = static_cast<std::uint32_t>(*index);
         if (first == std::string_view::npos) return vertex;
         const std::size_t second = word.find('/', first + 1);
         if (second == std::string_view::npos) return vertex;
         const std::string_view of_normal = word.substr(second + 1);
         if (of_normal.empty()) return vertex;
-        const std::int64_t normal =
-            of_normal == "0" ? -1 : from_zero(of_normal, "normal", normals_before_, lines_);
-        if (normal >= 0 && normal < std::int64_t(normals_.size()))
-            return builder_.with_normal(vertex, normals_[std::size_t(normal)]);
+        const auto normal = from_zero(whole(of_normal, "normal"), normals_before_);
+        if (normal && *normal < normals_.size())
+            return builder_.with_normal(vertex, normals_[*normal]);
         ++lost_normals_;
         return vertex;
+    }
+
+    [[nodiscard]] std::int64_t whole(std::string_view word, const char* what) const {
+        if (const auto number = whole_number(word)) return *number;
+        lines_.refuse(std::string("a corner's ") + what +
+                      " must be a whole number other than 0, not " + quoted(word));
     }
 
     const MeshLines& lines_;
@@ -170,6 +171,12 @@ private:
     std::size_t lost_normals_ = 0;
     std::vector<std::uint32_t> face_;
 };
+
+/// Returns whether the value of a statement s switches smoothing off.
+bool is_off(std::string_view value) {
+    const std::string_view group = take_word(value);
+    return group == "off" || group == "0";
+}
 
 }  // namespace
 
@@ -188,7 +195,7 @@ void read_obj(std::string& content, const std::string& file, MeshBuilder& builde
         } else if (statement->keyword == "vn") {
             normals.push_back(take_normal(rest, "a normal", lines));
             require_no_word(rest, "a normal", lines);
-        } else {
+        } else if (statement->keyword == "f") {
             has_face = true;
         }
     }
@@ -196,11 +203,17 @@ void read_obj(std::string& content, const std::string& file, MeshBuilder& builde
     lines = MeshLines(content, file);
     Statements second(lines);
     Faces faces(lines, normals, builder);
+    bool is_flat = false;
+    bool is_smooth = false;  // a face
     while (const auto statement = second.next()) {
+        if (statement->keyword == "s") is_flat = is_off(statement->rest);
         if (statement->keyword == "v") faces.count_vertex();
         if (statement->keyword == "vn") faces.count_normal();
-        if (statement->keyword == "f") faces.read(statement->rest);
+        if (statement->keyword != "f") continue;
+        faces.read(statement->rest);
+        is_smooth = is_smooth || !is_flat;
     }
+    if (!is_smooth) builder.set_crease(0);
     faces.warn_of_lost_normals();
 }
 

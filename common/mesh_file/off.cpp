@@ -16,8 +16,7 @@ namespace {
 std::string_view next_item(MeshLines& lines, const char* what, std::uint64_t index,
                            std::uint64_t count) {
     if (const auto line = lines.next()) return *line;
-    lines.refuse("the file ends after " + std::to_string(index) + " of " + std::to_string(count) +
-                 " " + what);
+    lines.refuse_end(index, count, what);
 }
 
 [[noreturn]] void refuse_number(std::string_view rest, const MeshLines& lines) {

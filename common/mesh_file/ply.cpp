@@ -158,7 +158,8 @@ void read_ply(std::string& content, const std::string& file, MeshBuilder& builde
     blank_byte_order_mark(content);
     end_header_lines_in_lf(content);
     MeshLines lines(content, file);
-    const PlyHeader header = take_ply_header(lines);
+    PlyHeader header = take_ply_header(lines);
+    name_corners(header, builder);
     check_ply_header(header, file);
     if (header.format == "ascii") {
         plain_text(content);

@@ -31,8 +31,14 @@ void check_vertex(const PlyElement& vertex, const std::string& file) {
 void check_corners(const PlyElement& face, const std::string& file) {
     const std::ptrdiff_t count = std::ranges::count_if(face.properties, is_corners);
     if (count != 1) {
-        throw InputError({file, face.line}, "a " + face.name + " has " + std::to_string(count) +
-                                                " lists vertex_indices: expected one");
+        std::string others;
+        for (const PlyProperty& p : face.properties)
+            if (p.length && !is_corners(p))
+                others += (others.empty() ? "" : ", ") + rt::quoted(p.name);
+        throw InputError(
+            {file, face.line},
+            "a " + face.name + " has " + std::to_string(count) + " lists vertex_indices" +
+                (others.empty() ? "" : ", and the lists " + others) + ": expected one");
     }
     const PlyProperty& corners = *std::ranges::find_if(face.properties, is_corners);
     if (corners.length && !corners.type.is_float) return;
@@ -41,6 +47,20 @@ void check_corners(const PlyElement& face, const std::string& file) {
 }
 
 }  // namespace
+
+void name_corners(PlyHeader& header, MeshBuilder& builder) {
+    for (PlyElement& element : header.elements) {
+        if (!has_faces(element) || std::ranges::any_of(element.properties, is_corners)) continue;
+        const auto may_be_corners = [](const PlyProperty& p) {
+            return p.length && !p.length->is_float && !p.type.is_float;
+        };
+        if (std::ranges::count_if(element.properties, may_be_corners) != 1) continue;
+        PlyProperty& corners = *std::ranges::find_if(element.properties, may_be_corners);
+        builder.warn("the list " + rt::quoted(corners.name) + " is read as vertex_indices",
+                     corners.line);
+        corners.name = "vertex_indices";
+    }
+}
 
 void check_ply_header(const PlyHeader& header, const std::string& file) {
     if (header.format != "ascii" && header.format != "binary_little_endian" &&
@@ -61,8 +81,10 @@ void check_ply_header(const PlyHeader& header, const std::string& file) {
     for (const PlyElement& element : elements) {
         for (const PlyProperty& p : element.properties) {
             if (!p.length || !p.length->is_float) continue;
-            throw InputError({file, p.line}, "the length of the list " + rt::quoted(p.name) +
-                                                 " must be a whole number: save it without");
+            throw InputError({file, p.line},
+                             "the length of the list " + rt::quoted(p.name) +
+                                 " must be a whole number, as uchar or int, not a " +
+                                 std::string(p.length->name));
         }
         if (element.name == "vertex") check_vertex(element, file);
         if (has_faces(element)) check_corners(element, file);

@@ -1,6 +1,7 @@
 // The declarations of a PLY file that are needed to read its mesh.
 #pragma once
 
+#include "common/mesh_file/mesh_builder.hpp"
 #include "common/mesh_file/ply_header.hpp"
 
 #include <array>
@@ -22,6 +23,10 @@ inline constexpr std::array<std::string_view, 6> ply_coordinates = {"x",  "y",  
 [[nodiscard]] inline bool has_faces(const PlyElement& element) {
     return element.name == "face" || element.name == "tristrips";
 }
+
+/// Renames the only list of whole numbers of a face without vertex_indices so, with a warning: it
+/// can be nothing else but its corners.
+void name_corners(PlyHeader& header, MeshBuilder& builder);
 
 /// Throws InputError unless there are vertices with a place, and faces or strips with corners.
 void check_ply_header(const PlyHeader& header, const std::string& file);

@@ -39,10 +39,7 @@ std::optional<std::string_view> PlyText::next_line() {
 
 void PlyText::begin(const PlyElement& element, std::uint64_t index) {
     const auto line = next_line();
-    if (!line) {
-        lines_.refuse("the file ends after " + std::to_string(index) + " of " +
-                      std::to_string(element.count) + " " + items_of(element));
-    }
+    if (!line) lines_.refuse_end(index, element.count, items_of(element));
     line_ = *line;
     rest_ = *line;
 }

@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <numbers>
 
 namespace rt {
 
@@ -17,6 +18,9 @@ namespace {
 /// each: twelve floats, of which the first three are a normal, and two bytes more.
 constexpr std::size_t header_size = 84;
 constexpr std::size_t triangle_size = 50;
+
+/// Edges stay sharp beyond this angle between the normals of their faces, in radians.
+constexpr double crease_angle = 40 * std::numbers::pi / 180;
 
 std::uint32_t little_endian(std::string_view content, std::size_t at) {
     std::uint32_t value = 0;
@@ -28,7 +32,7 @@ std::uint32_t little_endian(std::string_view content, std::size_t at) {
 /// Adds the facets to the builder, with one vertex for all corners in one place.
 class Facets {
 public:
-    explicit Facets(MeshBuilder& builder) : builder_(builder) { builder.set_facets(); }
+    explicit Facets(MeshBuilder& builder) : builder_(builder) { builder.set_facets(crease_angle); }
 
     void add(const std::array<glm::dvec3, 3>& corners) {
         std::array<std::uint32_t, 3> face;
@@ -81,12 +85,21 @@ void read_text(std::string& content, const std::string& file, MeshBuilder& build
     Facets facets(builder);
     std::array<glm::dvec3, 3> corners;
     std::size_t to_come = 0;  // corners
-    std::string keyword;
     bool has_facet = false;
+    bool has_end = false;
+    int after_end = 0;  // a line that is not of a solid
     while (const auto line = lines.next()) {
         if (is_comment(*line)) continue;
         std::string_view rest = *line;
-        keyword = take_keyword(rest);
+        const std::string keyword = take_keyword(rest);
+        if (keyword == "solid" || keyword == "facet" || keyword == "outer") {
+            has_end = false;
+            after_end = 0;
+        }
+        if (keyword == "endsolid")
+            has_end = true;
+        else if (has_end && after_end == 0)
+            after_end = lines.number();
         if ((to_come > 0) != (keyword == "vertex")) {
             lines.refuse(std::string("expected ") +
                          (to_come > 0 ? "\"vertex x y z\"" : "\"facet\" or \"outer loop\"") +
@@ -101,8 +114,8 @@ void read_text(std::string& content, const std::string& file, MeshBuilder& build
     }
     if (to_come > 0) lines.refuse("the file ends within a facet");
     if (!has_facet) lines.refuse("has no triangles: no line begins with \"outer loop\"");
-    if (keyword != "endsolid")
-        builder.warn("has no \"endsolid\" at its end: its last facets may be missing");
+    if (!has_end) builder.warn("has no \"endsolid\" at its end: its last facets may be missing");
+    if (after_end > 0) builder.warn("what follows \"endsolid\" is not read", after_end);
 }
 
 /// Returns whether a line begins with "solid" or "facet", in any case. Any text may precede it.
@@ -133,17 +146,13 @@ void read_stl(std::string& content, const std::string& file, MeshBuilder& builde
     const std::size_t count = little_endian(content, 80);
     const std::size_t size = header_size + count * triangle_size;
     if (content.size() != size && is_utf16(content)) throw InputError({file}, text_in_utf16);
-    // Some programs write a byte or a line end more.
-    if (content.size() < size || content.size() >= size + triangle_size) {
-        throw InputError({file}, "a binary STL of " + std::to_string(count) + " triangles has " +
-                                     std::to_string(size) + " bytes, not " +
-                                     std::to_string(content.size()));
-    }
-    if (content.size() > size) {
-        const std::size_t more = content.size() - size;
-        builder.warn("the last " + (more == 1 ? "byte is" : std::to_string(more) + " bytes are") +
-                     " no triangle: skipped");
-    }
+    const std::string sizes = "a binary STL of " + std::to_string(count) + " triangles has " +
+                              std::to_string(size) + " bytes, not " +
+                              std::to_string(content.size());
+    if (content.size() < size || (count == 0 && content.size() > size))
+        throw InputError({file}, sizes);
+    // Some programs write a line end more, or data of their own.
+    if (content.size() > size) builder.warn(sizes + ": the rest is not read");
     read_binary(content, count, file, builder);
 }
 

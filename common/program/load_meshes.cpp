@@ -29,8 +29,7 @@ void leave_out_copied_triangles(Mesh& mesh) {
 
 std::shared_ptr<const MeshGeometry> load_model(const std::string& file, bool smooth,
                                                const Warn& warn) {
-    Mesh mesh = load_mesh(file, warn);
-    if (!smooth) mesh.normals.clear();
+    Mesh mesh = load_mesh(file, warn, smooth);
     if (smooth && mesh.normals.empty()) {
         if (warn) warn_of_turned_triangles(mesh, file, warn);
         add_smooth_normals(mesh);

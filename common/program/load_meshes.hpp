@@ -21,7 +21,8 @@ void load_meshes(Scene& scene, const Warn& warn = nullptr);
 }
 
 /// Returns the lines about the meshes' files that `--requirements` prints: what their triangles
-/// form (common/mesh_file/half_edges.hpp), and their box. Throws InputError as load_meshes does.
-[[nodiscard]] std::string mesh_forms(const Scene& scene);
+/// form (common/mesh_file/half_edges.hpp), and their box. Throws InputError, and warns, as
+/// load_meshes does.
+[[nodiscard]] std::string mesh_forms(const Scene& scene, const Warn& warn = nullptr);
 
 }  // namespace rt

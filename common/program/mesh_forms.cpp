@@ -90,9 +90,12 @@ std::string box_line(const Mesh& mesh) {
                                          {{"what", tr_text(loss)}}));
 }
 
-Mesh loaded(const MeshRequest& named) {
+Mesh loaded(const MeshRequest& named, const Warn& warn) {
+    const auto warn_of_line = [&](const std::string& warning) {
+        if (warn) warn(warning + " (" + named_by(named.place) + ")");
+    };
     try {
-        return load_mesh(path_of(named));
+        return load_mesh(path_of(named), warn_of_line, false);
     } catch (const InputError& error) {
         throw error.with(named_by(named.place));
     }
@@ -100,12 +103,12 @@ Mesh loaded(const MeshRequest& named) {
 
 }  // namespace
 
-std::string mesh_forms(const Scene& scene) {
+std::string mesh_forms(const Scene& scene, const Warn& warn) {
     std::string lines;
     std::set<std::string> seen;
     for (const MeshRequest& named : scene.mesh_requests) {
         if (!seen.insert(named.file).second) continue;
-        const Mesh mesh = loaded(named);
+        const Mesh mesh = loaded(named, warn);
         const auto [triangles, vertices] = welded(mesh);
         lines += (seen.size() == 1 ? tr("with the meshes") + "\n  " : "  ") +
                  tr("{file}: {triangles} in {form}; {box}",

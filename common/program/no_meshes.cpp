@@ -10,7 +10,7 @@ void load_meshes(Scene& scene, const Warn& /*warn*/) {
                      "a mesh, which " + name_of(mesh_stage) + " introduces: run that stage");
 }
 
-std::string mesh_forms(const Scene& /*scene*/) {
+std::string mesh_forms(const Scene& /*scene*/, const Warn& /*warn*/) {
     return "";
 }
 

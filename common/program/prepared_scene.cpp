@@ -56,10 +56,14 @@ void warn_of_rounding([[maybe_unused]] const Scene& scene, [[maybe_unused]] cons
 
 }  // namespace
 
+Warn RT_PRECISION::warn_unless_quiet(const Options& options) {
+    if (options.quiet) return nullptr;
+    return [](const std::string& warning) { std::cerr << tr_text(warning) << '\n'; };
+}
+
 Scene RT_PRECISION::prepared_scene(const Program& program, const Options& options) {
     SceneReading reading = options.reading;
-    if (!options.quiet)
-        reading.warn = [](const std::string& warning) { std::cerr << tr_text(warning) << '\n'; };
+    reading.warn = warn_unless_quiet(options);
     Scene scene = load_scene(options.scene, orthonormal_basis, reading);
     choose_camera(scene, options);
     if (options.size) scene.resolution = *options.size;

@@ -115,7 +115,8 @@ public:
     [[nodiscard]] bool run(const Options& options, TimeBudget* pace,
                            const std::atomic<bool>& stop) override {
         if (options.requirements) {
-            std::cout << one_line(options.scene) << explanation(scene_) << mesh_forms(scene_);
+            std::cout << one_line(options.scene) << explanation(scene_)
+                      << mesh_forms(scene_, warn_unless_quiet(options));
         } else if (options.pixel) {
             check_pixel("--pixel", *options.pixel, scene_.resolution);
             explain_pixel(program_, options, scene_, *options.pixel);

@@ -30,6 +30,21 @@ bool is_option(std::string_view text) {
     return is_letter(text.front()) && text.find(':') != std::string_view::npos;
 }
 
+/// Returns whether the text is an option of another program, or a function, such as
+/// `cb:0,255,0:0,0,255` or `checker(0,0,0;1,1,1)`: commas in it are no triple's.
+bool is_foreign_option(std::string_view text) {
+    constexpr auto known = std::to_array<std::string_view>(
+        {"spec", "shin", "mirror", "sides", "radius", "dir", "normals"});
+    const std::size_t end = text.find_first_of(":(");
+    return is_letter(text.front()) && end < text.find(',') &&
+           (text[end] == '(' || std::ranges::find(known, text.substr(0, end)) == known.end());
+}
+
+/// Returns whether the text may be a triple, or a part of one.
+bool has_commas(std::string_view text) {
+    return commas(text) > 0 && !is_foreign_option(text);
+}
+
 /// Returns whether the text has a character that no number has.
 bool is_word(std::string_view text) {
     return text.find_first_not_of("+-.0123456789eE") != std::string_view::npos;
@@ -117,9 +132,11 @@ std::optional<Token> ElementLine::last_word_before_triple() const {
 }
 
 bool ElementLine::words_without_triple() const {
-    const auto has_comma = [](Token token) { return commas(token.text) > 0; };
-    const auto is_name = [](Token token) { return is_word(token.text) && !is_option(token.text); };
-    return std::ranges::none_of(rest(), has_comma) && std::ranges::any_of(rest(), is_name);
+    const auto is_name = [](std::string_view text) {
+        return is_word(text) && (!is_option(text) || is_foreign_option(text));
+    };
+    return std::ranges::none_of(rest(), has_commas, &Token::text) &&
+           std::ranges::any_of(rest(), is_name, &Token::text);
 }
 
 bool ElementLine::color_follows() {
@@ -205,7 +222,7 @@ std::array<Token, 3> ElementLine::take_triple(std::string_view field) {
 
 void ElementLine::skip_to_color(std::string_view field) {
     const auto may_be_color = [](Token token) {
-        return commas(token.text) > 0 || is_hexadecimal(token.text);
+        return has_commas(token.text) || is_hexadecimal(token.text);
     };
     const auto color_is_left = [&] { return std::ranges::any_of(rest(), may_be_color); };
     if (!at_end() && !color_is_left()) take_color_from_comment();

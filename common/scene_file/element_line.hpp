@@ -81,8 +81,8 @@ protected:
     /// Ignores the rest of the line.
     void skip_rest() { next_ = line_.tokens.size(); }
 
-    /// Returns whether the rest of the line has no comma, and has a word that is neither a number
-    /// nor `key:value`.
+    /// Returns whether the rest of the line has no comma of a triple, and has a word that is
+    /// neither a number nor an option of this format.
     [[nodiscard]] bool words_without_triple() const;
 
     /// Returns whether the next word is `#rrggbb` or `#rgb`. It is not a comment if a color would

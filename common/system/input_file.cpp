@@ -12,14 +12,18 @@ namespace rt {
 
 std::string read_input_file(const std::string& file, std::size_t limit) {
     std::error_code trouble;
-    const auto type = std::filesystem::status(file, trouble).type();
-    if (type == std::filesystem::file_type::not_found) throw InputError({file}, "no such file");
-    if (type == std::filesystem::file_type::directory) {
+    const auto status = std::filesystem::status(file, trouble);
+    if (status.type() == std::filesystem::file_type::not_found)
+        throw InputError({file}, "no such file");
+    if (std::filesystem::is_directory(status))
         throw InputError({file}, "is a directory: expected a file");
-    }
+    // A device may be endless. A pipe may wait for ever, and cannot be read twice, in each
+    // precision.
+    if (std::filesystem::exists(status) && std::filesystem::is_other(status))
+        throw InputError({file}, "is a device or a pipe: expected a file");
     std::ifstream stream(file, std::ios::binary);
 
-    // In pieces, and not by its size: a pipe has no size, and some files never end.
+    // In pieces, and not by its size, which a file may not have.
     constexpr std::size_t piece = 1 << 16;
     std::string content;
     const std::uintmax_t size = std::filesystem::file_size(file, trouble);

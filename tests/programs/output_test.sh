@@ -211,11 +211,19 @@ if [ -x "$build/step13_meshes" ]; then
     done
 fi
 
-# Ctrl-C works while a scene is read: here from a pipe without data.
-mkfifo slow.rt
+# Nor is it a scene: a pipe without a writer would wait for ever.
+mkfifo pipe.rt
+ln -s /dev/zero zero.rt
+for file in pipe.rt zero.rt; do
+    timeout 5 "$build/step03_sphere" $file -o odd.png > out 2> err
+    [ $? = 2 ] && [ "$(cat err)" = "$file: error: is a device or a pipe: expected a file" ] || fail "$file is no scene"
+done
+
+# Ctrl-C works while a scene is read: here one of 700,000 lines.
+{ echo 'C 0,0,0 0,0,-1 60'; yes 'sp 0,0,-9 1 255,0,0' | head -n 700000; } > slow.rt
 "$build/step03_sphere" slow.rt -o slow.png > out 2> err &
 reader=$!
-sleep 0.5
+sleep 0.2
 kill -INT $reader
 (sleep 20; kill -KILL $reader) > /dev/null 2>&1 &
 killer=$!

@@ -94,7 +94,7 @@ std::string path_of(const MeshRequest& mesh) {
 void RT_PRECISION::warn_of_turned_triangles(const Mesh&, const std::string&, const Warn&) {}
 
 /// In place of the readers of mesh files: OFF files of triangles, as scenes/meshes has them.
-Mesh RT_PRECISION::load_mesh(const std::string& file, const Warn& /*warn*/) {
+Mesh RT_PRECISION::load_mesh(const std::string& file, const Warn& /*warn*/, bool /*smooth*/) {
     const auto found = book::mesh_files.find(file);
     if (found == book::mesh_files.end() || !found->second.starts_with("OFF"))
         throw InputError({file}, "a page can draw OFF files of the course only");

@@ -138,6 +138,57 @@ TEST_CASE("STL: facets join at flat edges, and edges of more than 40 degrees sta
     }
 }
 
+TEST_CASE("STL: a facet that is turned over is turned back, and smooth as its neighbors are") {
+    Mesh turned = tube(24);
+    std::swap(turned.triangles[5][0], turned.triangles[5][1]);
+    std::swap(turned.triangles[20][1], turned.triangles[20][2]);
+    const MeshFolder folder;
+    const std::string file = folder.write("a.stl", stl(turned));
+    for (const bool smooth : {true, false}) {
+        const Mesh mesh = load_mesh(
+            file, [](const std::string& text) { FAIL_CHECK(text); }, smooth);
+        CHECK(mesh.triangles.size() == 48);
+        CHECK(mesh.vertices.size() == 48);
+        REQUIRE(mesh.normals.size() == (smooth ? 48 : 0));
+        for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+            const Vec3 outwards(mesh.vertices[i].x, mesh.vertices[i].y, 0);
+            CHECK(length(mesh.normals[i] - outwards) <= Real(1e-5));
+        }
+    }
+}
+
+TEST_CASE("OBJ: faces are flat if the file switches smoothing off for all of them") {
+    const std::string v = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+    const auto faces = [](const std::string& s) { return s + "f 1 3 2\nf 1 2 4\n"; };
+    for (const std::string off : {"s off\n", "s 0\n", "s 1\ns off # flat\n"}) {
+        const Mesh mesh = mesh_of("a.obj", v + faces(off));
+        CHECK(mesh.vertices.size() == 6);
+        REQUIRE(mesh.normals.size() == 6);
+        for (const auto& triangle : mesh.triangles)
+            for (const std::uint32_t corner : triangle)
+                CHECK(mesh.normals[corner] == face_normal(mesh, triangle));
+    }
+    for (const std::string on : {"", "s 1\n", "s on\n", "s off\nf 1 4 3\ns 2\n"})
+        CHECK(mesh_of("a.obj", v + faces(on)).normals.empty());
+    // The file's own normals come first.
+    const Mesh own =
+        mesh_of("a.obj", v + "vn 0 0.6 0.8\ns off\nf 1//1 2//1 3//1\nf 1//1 2//1 4//1");
+    REQUIRE(own.normals.size() == 4);
+    CHECK(length(own.normals[0] - Vec3(0, Real(0.6), Real(0.8))) <= 4 * unit_roundoff);
+}
+
+TEST_CASE("normals that flat shading does not use are not warned of") {
+    const MeshFolder folder;
+    const std::string file = folder.write(
+        "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 0\nf 1//1 2//1 3//1\nf 1//1 2//1 3//9\n");
+    std::vector<std::string> warnings;
+    const auto warn = [&](const std::string& text) { warnings.push_back(text); };
+    CHECK(load_mesh(file, warn, false).normals.empty());
+    CHECK(warnings.empty());
+    CHECK(load_mesh(file, warn, true).normals.size() == 3);
+    CHECK(warnings.size() == 2);
+}
+
 TEST_CASE("corners that are clockwise, seen from the side of the file's normals, are turned") {
     const std::string obj =
         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nvn 0 0.6 0.8\n"
@@ -193,6 +244,23 @@ TEST_CASE("coordinates far from the origin keep their digits in double, and floa
             CHECK(warnings.empty());
         }
     }
+    // All numbers are floats, with steps of 0.5 there: the file has lost digits already.
+    const std::string coarse = "5411932 0 0\n5411932.5 0 0\n5411932 0.5 0\n3 0 1 2\n";
+    std::vector<std::string> warnings;
+    const std::string file = folder.write("coarse.off", "OFF\n3 1 0\n" + coarse);
+    static_cast<void>(
+        load_mesh(file, [&](const std::string& warning) { warnings.push_back(warning); }));
+    REQUIRE(warnings.size() == 1);
+    CHECK(warnings[0] == file +
+                             ": warning: all coordinates are floats, which have steps of 0.5 here, "
+                             "and the mesh is 0.5 large: it may have lost its shape before it was "
+                             "written");
+    // Whole numbers are floats, too, and exact. Of float itself there is a warning as above.
+    warnings.clear();
+    static_cast<void>(load_mesh(
+        folder.write("fine.off", "OFF\n3 1 0\n5411932 0 0\n5411934 0 0\n5411932 2 0\n3 0 1 2\n"),
+        [&](const std::string& warning) { warnings.push_back(warning); }));
+    CHECK(warnings.size() == (sizeof(Real) == sizeof(float) ? 1 : 0));
     // Near the origin, both precisions have the same mesh.
     const Mesh near = mesh_of("a.off", "OFF\n3 1 0\n0.1 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     CHECK(near.vertices[0].x == Real(0.1F));

@@ -21,15 +21,16 @@ const std::string facet =
     "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
     "endfacet\n";
 
-/// The warnings about the file, after "warning: ". The file must be the triangle of `places`.
+/// The warnings about the file or a line of it, after "warning: ". The file must be the triangle of
+/// `places`.
 std::vector<std::string> warnings_of_triangle(const std::string& name, const std::string& content) {
     INFO(name << "\n" << content);
     const MeshFolder folder;
     const std::string file = folder.write(name, content);
     std::vector<std::string> all;
     const Mesh mesh = load_mesh(file, [&](const std::string& warning) {
-        REQUIRE(warning.starts_with(file + ": warning: "));
-        all.push_back(warning.substr(file.size() + 11));
+        REQUIRE(warning.starts_with(file + ":"));
+        all.push_back(warning.substr(warning.find("warning: ") + 9));
     });
     REQUIRE(mesh.triangles.size() == 1);
     for (std::size_t i = 0; i < 3; ++i) CHECK(mesh.vertices[mesh.triangles[0][i]] == places[i]);
@@ -78,6 +79,11 @@ TEST_CASE("STL: before the first word, and after the last") {
     for (const std::string& second : {facet, back})
         CHECK(warnings_of_triangle("a.stl", "solid\n" + facet + second + "endsolid") ==
               Warnings{"1 facet has the corners of another one: left out"});
+    CHECK(warnings_of_triangle("a.stl", whole + "# the end\n\nsolid b\nendsolid b\n").empty());
+    CHECK(warnings_of_triangle("a.stl", whole + "\nexported by a program\n") ==
+          Warnings{"what follows \"endsolid\" is not read"});
+    CHECK(warnings_of_triangle("a.stl", whole + "solid b\nfacet\n") ==
+          Warnings{"has no \"endsolid\" at its end: its last facets may be missing"});
     CHECK(warnings_of_triangle("a.stl", "solid\n" + facet) ==
           Warnings{"has no \"endsolid\" at its end: its last facets may be missing"});
 }
@@ -86,11 +92,13 @@ TEST_CASE("STL: binary that begins with solid, and with bytes too many") {
     CHECK(warnings_of_triangle("a.stl", binary_stl("exported", "")).empty());
     CHECK(warnings_of_triangle("a.stl", binary_stl("solid part", "")).empty());
     CHECK(warnings_of_triangle("a.stl", binary_stl("solid part", "\n")) ==
-          Warnings{"the last byte is no triangle: skipped"});
-    CHECK(warnings_of_triangle("a.stl", binary_stl(" solid", "four")) ==
-          Warnings{"the last 4 bytes are no triangle: skipped"});
-    CHECK(mesh_refusal("a.stl", binary_stl("solid", std::string(50, ' '))) ==
-          "a.stl: error: a binary STL of 1 triangles has 134 bytes, not 184");
+          Warnings{"a binary STL of 1 triangles has 134 bytes, not 135: the rest is not read"});
+    CHECK(warnings_of_triangle("a.stl", binary_stl("m" + std::string(79, '\0'), "four")) ==
+          Warnings{"a binary STL of 1 triangles has 134 bytes, not 138: the rest is not read"});
+    for (const std::size_t more : {49, 50, 60, 1000})
+        CHECK(warnings_of_triangle("a.stl", binary_stl("solid", std::string(more, 'z'))) ==
+              Warnings{"a binary STL of 1 triangles has 134 bytes, not " +
+                       std::to_string(134 + more) + ": the rest is not read"});
 }
 
 TEST_CASE("OFF: letters in any order, no keyword, faces over lines, counts on the first line") {
@@ -134,8 +142,9 @@ TEST_CASE("OBJ: normals that are missing, zero or not a number are computed") {
         return warnings_of_triangle("a.obj", v + rest);
     };
     const std::string computed = " zero or not a number: computed from the faces";
-    for (const std::string& none : {"nan nan nan"s, "0 0 0"s, "-nan(ind) 0 0"s, "0 0 -1.#IND"s,
-                                    "1.#QNAN0 1 0"s, "inf 0 0"s, "NaN NaN NaN"s}) {
+    for (const std::string& none :
+         {"nan nan nan"s, "0 0 0"s, "-nan(ind) 0 0"s, "0 0 -1.#IND"s, "1.#QNAN0 1 0"s, "inf 0 0"s,
+          "NaN NaN NaN"s, ""s, "0 1"s, " # none"s}) {
         CHECK(warnings("vn 0 0 1\nvn " + none + "\nf 1//1 2//2 3//1\n") ==
               Warnings{"1 normal is" + computed});
         const Mesh mesh = mesh_of("a.obj", v + "vn 1 0 0\nvn " + none + "\nf 1//1 2//2 3//1\n");
@@ -145,8 +154,13 @@ TEST_CASE("OBJ: normals that are missing, zero or not a number are computed") {
     }
     const std::string lost = " not in the file: computed from the faces";
     CHECK(warnings("f 1//1 2//2 3//3\n") == Warnings{"3 corners name normals that are" + lost});
-    CHECK(warnings("vn 0 0 1\nf 1//1 2//1 3//0\n") ==
-          Warnings{"1 corner names a normal that is" + lost});
+    for (const std::string& index : {"0"s, "2"s, "-2"s, "-9223372036854775808"s})
+        CHECK(warnings("vn 0 0 1\nf 1//1 2//1 3//" + index + "\n") ==
+              Warnings{"1 corner names a normal that is" + lost});
+    const Mesh last = mesh_of("a.obj", v + "vn 1 0 0\nvn 0 1 0\nf 1//-1 2//-2 3//-1\n");
+    REQUIRE(last.normals.size() == 3);
+    CHECK(last.normals[0] == Vec3(0, 1, 0));
+    CHECK(last.normals[1] == Vec3(1, 0, 0));
     CHECK(warnings("vn 0 0 1 # up\nf 1/x/1 2/9.5/1 3/0/1\n").empty());  // of textures, nothing
 }
 
@@ -193,6 +207,14 @@ TEST_CASE("PLY: elements and properties of every kind around those that are read
     CHECK(warnings_of_triangle("a.ply",
                                ply(xyz, face, "0 0 0 # a\ncomment b\n1 0 0\n0 1 0\n3 0 1 2 # b\n"))
               .empty());
+    // Their name, if they are the only list of whole numbers.
+    for (const std::string& element : {"face"s, "tristrips"s})
+        CHECK(warnings_of_triangle(
+                  "a.ply", ply(xyz,
+                               "element " + element + " 1\nproperty list int int Vertices\n" +
+                                   "property list uchar float uv\n",
+                               three_points + "3 0 1 2 0\n")) ==
+              Warnings{"the list \"vertices\" is read as vertex_indices"});
     // Faces first.
     CHECK(warnings_of_triangle("a.ply", "ply\nformat ascii 1.0\n" + face + "element vertex 3\n" +
                                             xyz + "end_header\n3 0 1 2\n" + three_points)

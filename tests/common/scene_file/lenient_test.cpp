@@ -72,16 +72,20 @@ TEST_CASE("lenient reading takes a word in place of a color for white") {
         CHECK(read.scene.spheres[0].shape.radius == 2);
         return read.scene.spheres[0].material;
     };
-    for (const std::string words : {"wood", "./wood.png", "m  images/wood.png", "0 m \"wood\"",
-                                    "checker 1 2 3", "wood spec:0.5"})
+    for (const std::string words :
+         {"wood", "./wood.png", "m  images/wood.png", "0 m \"wood\"", "checker 1 2 3",
+          "wood spec:0.5", "cb:0,255,0:0,0,255", "tex:wood.png", "map:1,2,3",
+          "checker(0,0,0;9,9,9)", "cb:0,9,0:0,0,9 spec:0.5"})
         CHECK(color("sp 1,2,3 4 " + words).color == Color(1));
     CHECK(color("sp 1,2,3 4 wood spec:0.5 more").specular == Real(0.5));
     CHECK(lenient(camera + "sp 1,2,3 4 wood").warnings ==
           std::vector<std::string>{
               "scene.rt:2:12: warning: \"wood\" is in place of a sphere's color; it is white"});
-    CHECK(color("sp 1,2,3 4 wood 255,51,0").color == Color(1, Real(0.2), 0));
+    for (const std::string word : {"wood", "cb:0,255,0:0,0,255", "tex:wood.png"})
+        CHECK(color("sp 1,2,3 4 " + word + " 255,51,0").color == Color(1, Real(0.2), 0));
     // A wrong or missing color is still an error.
-    for (const std::string words : {"", "255", "1 2 3", "255,51", "255,51 wood", "spec:0.5"})
+    for (const std::string words : {"", "255", "1 2 3", "255,51", "255,51 wood", "spec:0.5",
+                                    "dir:1,2,3", "x,0,0", "255,0,0:0,0,255", "25:5,0,0"})
         CHECK(lenient_refusal(camera + "sp 1,2,3 4 " + words) != "accepted");
 }
 
