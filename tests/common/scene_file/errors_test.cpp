@@ -388,6 +388,6 @@ TEST_CASE("load_scene stops reading a file that is too large to be a scene") {
     CHECK(load_refusal(file) == file + ": error: larger than 16 MiB: expected a scene");
     if (std::filesystem::exists("/dev/zero")) {
         CHECK(load_refusal("/dev/zero") ==
-              "/dev/zero: error: larger than 16 MiB: expected a scene");
+              "/dev/zero: error: is a device or a pipe: expected a file");
     }
 }
