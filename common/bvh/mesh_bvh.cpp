@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <future>
 #include <span>
+#include <tuple>
+#include <utility>
 
 namespace rt {
 inline namespace RT_PRECISION {
@@ -33,64 +35,66 @@ bool fits_in_floats(const Mesh& mesh, Real scale) {
            });
 }
 
-template <class Number>
-TrianglePacket<Number> packed(const Mesh& mesh, const Leaf& leaf, Real scale) {
-    constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
-    std::array<std::array<std::array<Number, real_count>, 3>, 3> lanes;
-    for (std::size_t i = 0; i < real_count; ++i)
-        for (std::size_t vertex = 0; vertex < 3; ++vertex) {
-            Vec3 point(nan);
-            if (leaf.indices[i] != Leaf::none)
-                point = scale * mesh.vertices[mesh.triangles[leaf.indices[i]][vertex]];
-            lanes[vertex][0][i] = Number(point.x);
-            lanes[vertex][1][i] = Number(point.y);
-            lanes[vertex][2][i] = Number(point.z);
-        }
-    return std::bit_cast<TrianglePacket<Number>>(lanes);
+using Corners = std::array<Vec3, 3>;
+
+Corners corners(const Mesh& mesh, std::uint32_t triangle, Real scale) {
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    return {scale * mesh.vertices[a], scale * mesh.vertices[b], scale * mesh.vertices[c]};
 }
 
-/// Packs the triangles of each leaf, half of the leaves on a second thread if the system has one.
+/// Returns whether the rounded areas of a triangle, in a mesh of size 1 to 2, are too inaccurate.
+/// Their errors are up to 2 u times the square of its longest side, and move a hit across the plane
+/// by up to 6 u times that square times the side divided by twice the triangle's area: by more than
+/// 6 u, if this ratio exceeds 1, and a ray that leaves the triangle may hit it again
+/// (projection_error). Below 2^-30 in float, 2^-200 in double, areas times lengths underflow.
+bool needs_care(const Corners& corners) {
+    using Wide = glm::dvec3;  // squares of areas stay in the range of double
+    const Wide ab(corners[1] - corners[0]);
+    const Wide ac(corners[2] - corners[0]);
+    const Wide bc(corners[2] - corners[1]);
+    const double longest = std::max({dot(ab, ab), dot(ac, ac), dot(bc, bc)});
+    const Wide area = cross(ab, ac);
+    constexpr double least = sizeof(Real) == 4 ? 0x1p-60 : 0x1p-400;
+    return longest < least || longest * longest * longest > dot(area, area);
+}
+
+/// Packs the triangles of a leaf. Returns one bit for each that needs care.
+template <class Number>
+std::uint8_t pack(const Mesh& mesh, const Leaf& leaf, Real scale, TrianglePacket<Number>& packet) {
+    constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
+    std::array<std::array<std::array<Number, real_count>, 3>, 3> lanes;
+    unsigned careful = 0;
+    for (std::size_t i = 0; i < real_count; ++i) {
+        Corners points = {Vec3(nan), Vec3(nan), Vec3(nan)};
+        if (leaf.indices[i] != Leaf::none) points = corners(mesh, leaf.indices[i], scale);
+        if (needs_care(points)) careful |= 1U << i;
+        for (std::size_t vertex = 0; vertex < 3; ++vertex) {
+            lanes[vertex][0][i] = Number(points[vertex].x);
+            lanes[vertex][1][i] = Number(points[vertex].y);
+            lanes[vertex][2][i] = Number(points[vertex].z);
+        }
+    }
+    packet = std::bit_cast<TrianglePacket<Number>>(lanes);
+    return std::uint8_t(careful);
+}
+
+/// Packs the triangles of each leaf, half of the leaves on a second thread if the system has one,
+/// and returns the packets and which of their triangles need care: nothing if none does.
 template <class Number>
 auto packed(const Mesh& mesh, std::span<const Leaf> leaves, Real scale) {
     std::vector<TrianglePacket<Number>> packets;
     reserve_huge(packets, leaves.size());
     packets.resize(leaves.size());
+    std::vector<std::uint8_t> careful(leaves.size());
     const auto fill = [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            packets[i] = packed<Number>(mesh, leaves[i], scale);
+            careful[i] = pack(mesh, leaves[i], scale, packets[i]);
     };
     const auto half = std::async([&] { fill(0, leaves.size() / 2); });
     fill(leaves.size() / 2, leaves.size());
     half.wait();
-    return packets;
-}
-
-/// The factor by which a triangle of that size must be enlarged so that areas times lengths do not
-/// underflow: needed in a mesh of size 1 below 2^-30 in float, 2^-200 in double.
-Real finer(Real size) {
-    constexpr int least = sizeof(Real) == 4 ? -30 : -200;
-    if (!(size > 0 && size < std::ldexp(Real(1), least))) return 1;
-    constexpr int most = std::numeric_limits<Real>::max_exponent * 3 / 4;
-    return std::ldexp(Real(1), std::min(-std::ilogb(size), most));
-}
-
-Real size(const TrianglePacket<Real>& packet, std::size_t lane) {
-    BoundingBox box;
-    for (const auto& [x, y, z] : packet.vertices)
-        box = merged(box, Vec3(values(x)[lane], values(y)[lane], values(z)[lane]));
-    return largest_component(box.max - box.min);
-}
-
-std::vector<std::array<Real, real_count>> finer(const std::vector<TrianglePacket<Real>>& packets) {
-    std::vector<std::array<Real, real_count>> scales(packets.size());
-    bool any = false;
-    for (std::size_t leaf = 0; leaf < packets.size(); ++leaf)
-        for (std::size_t lane = 0; lane < real_count; ++lane) {
-            scales[leaf][lane] = finer(size(packets[leaf], lane));
-            any = any || scales[leaf][lane] != 1;
-        }
-    if (!any) return {};
-    return scales;
+    if (std::ranges::count(careful, 0) == std::ssize(careful)) careful = {};
+    return std::pair(std::move(packets), std::move(careful));
 }
 
 /// The same visits, and the number of boxes of the nodes.
@@ -101,55 +105,20 @@ struct CountingBoxes : Visit {
     void node() const { *count += std::int64_t(Node::width); }
 };
 
-TrianglePacket<Real> enlarged(TrianglePacket<Real> packet, Real scale) {
-    for (auto& vertex : packet.vertices)
-        for (RealN& coordinate : vertex) coordinate = all_of<Real, real_count>(scale) * coordinate;
-    return packet;
-}
-
 }  // namespace
 
 MeshBvh::MeshBvh(const Mesh& mesh) {
     bounds_ = rt::bounds(mesh);
     scale_ = scale_for(bounds_);
     const auto box = [&](std::size_t triangle) {
-        const auto& [i, j, k] = mesh.triangles[triangle];
-        const Vec3& a = mesh.vertices[i];
-        const Vec3& b = mesh.vertices[j];
-        const Vec3& c = mesh.vertices[k];
-        return BoundingBox{.min = scale_ * glm::min(a, glm::min(b, c)),
-                           .max = scale_ * glm::max(a, glm::max(b, c))};
+        const auto [a, b, c] = corners(mesh, std::uint32_t(triangle), scale_);
+        return BoundingBox{.min = glm::min(a, glm::min(b, c)), .max = glm::max(a, glm::max(b, c))};
     };
     hierarchy_ = Bvh(mesh.triangles.size(), box, Bvh::Leaves::packed);
-    if (fits_in_floats(mesh, scale_)) {
-        // None is too small for the test: the smallest float is 2^-149.
-        float_packets_ = packed<float>(mesh, hierarchy_.leaves(), scale_);
-    } else {
-        packets_ = packed<Real>(mesh, hierarchy_.leaves(), scale_);
-        finer_ = finer(packets_);
-    }
-}
-
-Crossings MeshBvh::finely(Ray seen, std::size_t leaf, Interval interval) const {
-    // If triangle and ray are scaled by a power of two, t does not change and areas keep their
-    // signs: neighbors with different scales leave no crack.
-    Crossings all = WatertightTest(seen)(packets_[leaf], interval);
-    auto t = values(all.t);
-    std::array areas = {values(all.areas[0]), values(all.areas[1]), values(all.areas[2])};
-    for (std::size_t lane = 0; lane < real_count; ++lane) {
-        const Real scale = finer_[leaf][lane];
-        if (scale == 1) continue;
-        const WatertightTest near(
-            {.origin = scale * seen.origin, .direction = scale * seen.direction});
-        const Crossings found = near(enlarged(packets_[leaf], scale), interval);
-        const unsigned bit = 1U << lane;
-        all.hits = (all.hits & ~bit) | (found.hits & bit);
-        t[lane] = values(found.t)[lane];
-        for (std::size_t i = 0; i < 3; ++i) areas[i][lane] = values(found.areas[i])[lane];
-    }
-    all.t = std::bit_cast<RealN>(t);
-    for (std::size_t i = 0; i < 3; ++i) all.areas[i] = std::bit_cast<RealN>(areas[i]);
-    return all;
+    if (fits_in_floats(mesh, scale_))
+        std::tie(float_packets_, careful_) = packed<float>(mesh, hierarchy_.leaves(), scale_);
+    else
+        std::tie(packets_, careful_) = packed<Real>(mesh, hierarchy_.leaves(), scale_);
 }
 
 std::int64_t MeshBvh::test_count(const Ray& ray, Interval interval, QueryKind query) const {
@@ -159,7 +128,7 @@ std::int64_t MeshBvh::test_count(const Ray& ray, Interval interval, QueryKind qu
     std::int64_t count = 0;
     const auto visit = [&](std::size_t leaf) {
         count += std::int64_t(real_count);
-        const Crossings found = crossings(test, seen, leaf, left);
+        const Crossings found = crossings(test, leaf, left);
         for (unsigned hits = found.hits; hits != 0;)
             left.max = std::min(left.max, lane(found.t, pop_lowest_bit(hits)));
         return query == QueryKind::any_hit && found.hits != 0;
@@ -185,7 +154,7 @@ std::int64_t MeshBvh::test_count(const Ray& ray, Interval interval, QueryKind qu
     hierarchy_.visit_leaves<QueryKind::closest_hit>(
         hierarchy_.test_of(seen, slopes), left,
         [&](std::size_t leaf) {
-            const Crossings found = crossings(test, seen, leaf, left);
+            const Crossings found = crossings(test, leaf, left);
             for (unsigned hits = found.hits; hits != 0;) {
                 const std::size_t i = pop_lowest_bit(hits);
                 const Real t = lane(found.t, i);
@@ -212,7 +181,7 @@ std::int64_t MeshBvh::test_count(const Ray& ray, Interval interval, QueryKind qu
     return hierarchy_.visit_leaves<QueryKind::any_hit>(
         hierarchy_.test_of(seen, slopes), left,
         [&](std::size_t leaf) {
-            const Crossings found = crossings(test, seen, leaf, left);
+            const Crossings found = crossings(test, leaf, left);
             for (unsigned hits = found.hits; hits != 0;)
                 if (lane(found.t, pop_lowest_bit(hits)) < left.max) return true;
             return false;

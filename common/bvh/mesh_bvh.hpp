@@ -6,7 +6,9 @@
 #include "common/bvh/triangle_packet.hpp"
 #include "common/geometry/mesh.hpp"
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace rt {
 inline namespace RT_PRECISION {
@@ -44,11 +46,14 @@ private:
     }
 
     /// The hits on the triangles of a leaf, those at interval.max included.
-    [[nodiscard]] Crossings crossings(const WatertightTest& test, const Ray& seen, std::size_t leaf,
+    [[nodiscard]] Crossings crossings(const WatertightTest& test, std::size_t leaf,
                                       const Interval& interval) const {
-        if (has_float_packets()) return test(float_packets_[leaf], interval);
-        if (finer_.empty()) return test(packets_[leaf], interval);
-        return finely(seen, leaf, interval);
+        if (!careful_.empty() && careful_[leaf] != 0) [[unlikely]]
+            return has_float_packets()
+                       ? test.carefully(float_packets_[leaf], interval, careful_[leaf])
+                       : test.carefully(packets_[leaf], interval, careful_[leaf]);
+        return has_float_packets() ? test(float_packets_[leaf], interval)
+                                   : test(packets_[leaf], interval);
     }
 
     /// The packet of a leaf as Real, for one triangle after the other.
@@ -65,11 +70,6 @@ private:
         return sizeof(Real) > sizeof(float) && !float_packets_.empty();
     }
 
-    /// As crossings, with each triangle that is too small for the test scaled separately. By value,
-    /// so that the caller keeps them in registers.
-    [[nodiscard, gnu::noinline]] Crossings finely(Ray seen, std::size_t leaf,
-                                                  Interval interval) const;
-
     BoundingBox bounds_;
     Real scale_ = 1;  ///< scale of packets and hierarchy: a power of two, so that it is exact
     Bvh hierarchy_;
@@ -77,9 +77,8 @@ private:
     /// In place of them, if Real is wider than float and every coordinate is a float, as those of
     /// files are.
     std::vector<TrianglePacket<float>> float_packets_;
-    /// For each leaf, the factors by which its triangles must be enlarged for the test: powers of
-    /// two. Empty if all triangles are large enough.
-    std::vector<std::array<Real, real_count>> finer_;
+    /// For each leaf, one bit for each triangle whose areas cancel or underflow. Empty if none do.
+    std::vector<std::uint8_t> careful_;
 };
 
 }  // namespace RT_LANES

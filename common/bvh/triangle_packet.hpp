@@ -3,9 +3,12 @@
 
 #include "common/bvh/node_intersector.hpp"
 #include "common/geometry/ray.hpp"
+#include "common/math/compensated.hpp"
 #include "common/math/simd.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rt {
 inline namespace RT_PRECISION {
@@ -69,17 +72,40 @@ public:
         const Sheared a = sheared(packet.vertices[0]);
         const Sheared b = sheared(packet.vertices[1]);
         const Sheared c = sheared(packet.vertices[2]);
-        const RealN alpha = b.x * c.y - b.y * c.x;
-        const RealN beta = c.x * a.y - c.y * a.x;
-        const RealN gamma = a.x * b.y - a.y * b.x;
-        const RealN zero = all(0);
-        const auto left = zero <= min(min(alpha, beta), gamma);
-        const auto right = max(max(alpha, beta), gamma) <= zero;
+        const std::array areas = areas_of(a, b, c);
+        const auto& [alpha, beta, gamma] = areas;
         const RealN t =
             (alpha * a.z + beta * b.z + gamma * c.z) / (alpha + beta + gamma) * inverse_z_;
         // NaN must miss: t is NaN if an area is NaN, or if all three are 0.
         const auto inside = (all(interval.min) < t) & (t <= all(interval.max));
-        return {.areas = {alpha, beta, gamma}, .t = t, .hits = mask_bits((left | right) & inside)};
+        return {.areas = areas, .t = t, .hits = mask_bits(surrounds(areas) & inside)};
+    }
+
+    /// The same, but the triangles in the lanes of `chosen` are tested one after the other as in
+    /// stage 5: with areas of 1.5 ulp, which are products of lengths in units of the triangle's own
+    /// size. So they neither cancel, however narrow the triangle is, nor underflow.
+    template <class Number>
+    [[nodiscard, gnu::noinline]] Crossings carefully(const TrianglePacket<Number>& packet,
+                                                     const Interval& interval,
+                                                     unsigned chosen) const {
+        Crossings found = (*this)(packet, interval);
+        const Sheared a = sheared(packet.vertices[0]);
+        const Sheared b = sheared(packet.vertices[1]);
+        const Sheared c = sheared(packet.vertices[2]);
+        found.hits &= ~chosen;
+        // A rounded area may be 0, but has no wrong sign: no other lane is hit.
+        for (unsigned left = chosen & mask_bits(surrounds(areas_of(a, b, c))); left != 0;) {
+            const std::size_t i = pop_lowest_bit(left);
+            const auto corner = [i](const Sheared& seen) {
+                return Vec3(lane(seen.x, i), lane(seen.y, i), lane(seen.z, i));
+            };
+            const auto [areas, depth] = crossing(corner(a), corner(b), corner(c));
+            const Real t = depth * lane(inverse_z_, i);
+            for (glm::length_t k = 0; k < 3; ++k) set_lane(found.areas[k], i, areas[k]);
+            set_lane(found.t, i, t);
+            if (interval.min < t && t <= interval.max) found.hits |= 1U << i;
+        }
+        return found;
     }
 
 private:
@@ -102,6 +128,45 @@ private:
         return {.x = real_of(vertex[x_]) - origin_x_ - shear_x_ * z,
                 .y = real_of(vertex[y_]) - origin_y_ - shear_y_ * z,
                 .z = z};
+    }
+
+    [[nodiscard, gnu::always_inline]] static std::array<RealN, 3> areas_of(const Sheared& a,
+                                                                           const Sheared& b,
+                                                                           const Sheared& c) {
+        return {b.x * c.y - b.y * c.x, c.x * a.y - c.y * a.x, a.x * b.y - a.y * b.x};
+    }
+
+    /// The triangles around the ray, or with it on an edge.
+    [[nodiscard, gnu::always_inline]] static auto surrounds(const std::array<RealN, 3>& areas) {
+        const auto& [alpha, beta, gamma] = areas;
+        const RealN zero = all(0);
+        return (zero <= min(min(alpha, beta), gamma)) | (max(max(alpha, beta), gamma) <= zero);
+    }
+
+    /// The areas opposite to three sheared corners, and the depth at which the ray meets their
+    /// plane; a depth of NaN if it passes beside them.
+    struct Crossing {
+        Vec3 areas;
+        Real depth;
+    };
+
+    [[nodiscard]] static Crossing crossing(const Vec3& a, const Vec3& b, const Vec3& c) {
+        const auto reach = [](const Vec3& seen) {
+            return std::max(std::abs(seen.x), std::abs(seen.y));
+        };
+        const Real unit_length = power_of_two_below(std::max({reach(a), reach(b), reach(c)}));
+        const auto area = [unit_length](const Vec3& p, const Vec3& q) {
+            return difference_of_products(p.x / unit_length, q.y / unit_length, p.y / unit_length,
+                                          q.x / unit_length);
+        };
+        const Vec3 areas(area(b, c), area(c, a), area(a, b));
+        const bool left = std::min({areas.x, areas.y, areas.z}) >= 0;
+        const bool right = std::max({areas.x, areas.y, areas.z}) <= 0;
+        if (!left && !right)
+            return {.areas = areas, .depth = std::numeric_limits<Real>::quiet_NaN()};
+        return {.areas = areas,
+                .depth = a.z + (areas.y * (b.z - a.z) + areas.z * (c.z - a.z)) /
+                                   (areas.x + areas.y + areas.z)};
     }
 
     std::size_t x_;

@@ -152,6 +152,11 @@ template <class Number, std::size_t count>
 }
 
 template <class Number, std::size_t count>
+inline void set_lane(LanesOf<Number, count>& lanes, std::size_t i, Number value) {
+    std::memcpy(reinterpret_cast<std::byte*>(&lanes) + i * sizeof value, &value, sizeof value);
+}
+
+template <class Number, std::size_t count>
 [[nodiscard]] inline LanesOf<Number, count> operator+(LanesOf<Number, count> a,
                                                       LanesOf<Number, count> b) {
     return each_part<Number, count, LanesOf>(

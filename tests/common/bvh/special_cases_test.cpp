@@ -11,7 +11,48 @@ namespace {
 
 constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
 
+/// A plane face of many corners, cut into a fan of narrow triangles.
+Mesh fan(Random& random, std::uint32_t corners) {
+    const Vec3 center = random.point(10);
+    const auto [x, y, z] = draw_basis(random);
+    Mesh mesh;
+    for (std::uint32_t i = 0; i < corners; ++i) {
+        const Real angle = 2 * pi * Real(i) / Real(corners);
+        mesh.vertices.push_back(center + Real(5) * (std::cos(angle) * x + std::sin(angle) * y));
+    }
+    for (std::uint32_t i = 2; i < corners; ++i) mesh.triangles.push_back({0, i - 1, i});
+    return mesh;
+}
+
 }  // namespace
+
+TEST_CASE("a ray that leaves a plane face does not hit it again (MRT §5)") {
+    CHECK(for_all(
+        [](Random& random) {
+            const Mesh mesh = fan(random, 4 + std::uint32_t(random.below(1000)));
+            const MeshBvh packed(mesh);
+            const Triangle triangle = triangle_of(mesh, mesh.triangles.size() / 2);
+            const Vec3 n = unit(cross(triangle.b - triangle.a, triangle.c - triangle.a));
+            const Real far = projection_error(largest_component(packed.bounds()));
+            for (int i = 0; i < 100; ++i) {
+                const int inner =
+                    2 + random.below(int(mesh.vertices.size()) - 3);  // an edge ends there
+                const Vec3 point = mix(mesh.vertices[0], mesh.vertices[std::size_t(inner)],
+                                       random.between(Real(0.01), Real(0.99)));
+                Vec3 direction = random.point(1);
+                if (dot(direction, n) < 0) direction = -direction;
+                const Ray away{.origin = point + far * n, .direction = direction};
+                if (packed.occludes(away, {}) || packed.nearest(away, {}))
+                    return verdict(false, std::to_string(mesh.vertices.size()) +
+                                              " corners, the first " + code(mesh.vertices[0]) +
+                                              ": " + code(away));
+                const Ray back{.origin = point + Real(5) * n, .direction = -n};
+                if (!packed.occludes(back, {})) return verdict(false, "no hit: " + code(back));
+            }
+            return Verdict{};
+        },
+        200));
+}
 
 TEST_CASE("a ray along the faces of boxes hits them (contract)") {
     SECTION("a mesh: every vertex of a grid, from above") {
