@@ -11,6 +11,7 @@
 #include <limits>
 #include <numbers>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace rt {
@@ -20,12 +21,10 @@ namespace {
 /// Double in either precision: squares of a float stay in the range of double.
 using Wide = glm::dvec3;
 
-/// A sum of unit normals that is shorter than this part of its weights is no normal. Coordinates of
-/// a file have seldom more digits than float, so that a face's normal is off by some 6e-8, more if
-/// it is narrow: a sum as short as this would be off by several degrees, and a shorter one is
-/// noise. The normals of two faces that meet in so short a sum differ from opposite ones by 2e-6,
-/// which is a fold of no visible width.
-constexpr double least_sum = 1e-6;
+/// A sum of unit normals that is shorter than this part of its weights is no normal: it lies nearly
+/// along the faces. Two faces that meet in so short a sum form a blade of less than 6 degrees, and
+/// the two sides of a sheet whose copy is triangulated otherwise do.
+constexpr double least_sum = 0.05;
 
 /// The unit normal of a triangle, and its angles; the normal is 0 without an area.
 struct Facet {
@@ -146,6 +145,15 @@ void add_creased_normals(Mesh& mesh, double angle) {
         sums[vertex].add(facets[i / 3], i % 3);
     }
     set_normals(mesh, sums);
+}
+
+void turn_to_normals(Mesh& mesh) {
+    for (auto& [i, j, k] : mesh.triangles) {
+        const Wide a = mesh.vertices[i];
+        const Wide side = glm::cross(Wide(mesh.vertices[j]) - a, Wide(mesh.vertices[k]) - a);
+        const Wide normals = Wide(mesh.normals[i]) + Wide(mesh.normals[j]) + Wide(mesh.normals[k]);
+        if (glm::dot(side, normals) < 0) std::swap(j, k);
+    }
 }
 
 }  // namespace rt

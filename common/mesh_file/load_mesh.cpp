@@ -89,19 +89,6 @@ void set_normals(Mesh& mesh, const MeshFile& content) {
     }
 }
 
-/// Turns each triangle over whose corners are clockwise, seen from the side of its normals: the
-/// normals decide. Shading needs both on the same side.
-void turn_to_normals(Mesh& mesh) {
-    for (auto& [i, j, k] : mesh.triangles) {
-        const glm::dvec3 a = mesh.vertices[i];
-        const glm::dvec3 side =
-            glm::cross(glm::dvec3(mesh.vertices[j]) - a, glm::dvec3(mesh.vertices[k]) - a);
-        const glm::dvec3 normals =
-            glm::dvec3(mesh.normals[i]) + glm::dvec3(mesh.normals[j]) + glm::dvec3(mesh.normals[k]);
-        if (glm::dot(side, normals) < 0) std::swap(j, k);
-    }
-}
-
 /// Leaves out the facets with the corners of another one, either way around. So some programs write
 /// a surface that is seen from both sides; shading turns every normal to the eye.
 void leave_out_doubled(Triangles& triangles, const Warn& warn) {

@@ -33,6 +33,7 @@ std::shared_ptr<const MeshGeometry> load_model(const std::string& file, bool smo
     if (smooth && mesh.normals.empty()) {
         if (warn) warn_of_turned_triangles(mesh, file, warn);
         add_smooth_normals(mesh);
+        turn_to_normals(mesh);
     }
     leave_out_copied_triangles(mesh);
     return mesh_geometry(std::move(mesh));

@@ -94,6 +94,34 @@ TEST_CASE("smooth normals of a sheet whose faces are there twice are those of th
     }
 }
 
+TEST_CASE("smooth normals of a sheet whose back is cut along the other diagonals are its own") {
+    Mesh mesh = wave(12);
+    for (Vec3& vertex : mesh.vertices) vertex.z += std::sin(5 * vertex.x * vertex.y) / 1000;
+    const std::size_t front = mesh.triangles.size();
+    for (std::size_t i = 0; i < front; i += 2) {
+        const auto [a, b, c] = mesh.triangles[i];  // of the quadrilateral a, b, d, c
+        const std::uint32_t d = mesh.triangles[i + 1][1];
+        mesh.triangles.push_back({a, c, d});
+        mesh.triangles.push_back({a, d, b});
+    }
+    add_smooth_normals(mesh);
+    for (const auto& triangle : mesh.triangles)
+        for (const std::uint32_t corner : triangle)
+            CHECK(dot(mesh.normals[corner], face_normal(mesh, triangle)) > Real(0.9));
+}
+
+TEST_CASE("a face that is there twice in front and once behind has three sides in front") {
+    Mesh mesh = wave(4);
+    const auto once = mesh.triangles;
+    for (const auto& [a, b, c] : once) {
+        mesh.triangles.push_back({a, b, c});
+        mesh.triangles.push_back({a, c, b});
+    }
+    add_smooth_normals(mesh);
+    turn_to_normals(mesh);
+    for (const auto& triangle : mesh.triangles) CHECK(face_normal(mesh, triangle).z > 0);
+}
+
 TEST_CASE("smooth normals look to the side of each face that meets them, however they cancel") {
     // Three walls at 120 degrees around one edge; and a fold that opens by an angle of 1e-9.
     const Real half = Real(0.5);
@@ -110,9 +138,9 @@ TEST_CASE("smooth normals look to the side of each face that meets them, however
                 CHECK(dot(mesh.normals[corner], face_normal(mesh, triangle)) >= 0);
             }
     }
-    // A sharp ridge of 0.01 is no fold: its vertices stay, with a normal between both sides.
+    // A sharp ridge of 0.2 is no fold: its vertices stay, with a normal between both sides.
     const Mesh ridge =
-        smoothed({.vertices = {{0, 0, 0}, {0, 1, 0}, {-Real(0.005), 0, -1}, {Real(0.005), 0, -1}},
+        smoothed({.vertices = {{0, 0, 0}, {0, 1, 0}, {-Real(0.1), 0, -1}, {Real(0.1), 0, -1}},
                   .triangles = {{0, 1, 2}, {0, 3, 1}}});
     CHECK(ridge.vertices.size() == 4);
     CHECK(length(ridge.normals[1] - Vec3(0, 0, 1)) <= Real(1e-4));
