@@ -6,8 +6,8 @@
 namespace rt {
 
 /// While one exists, the keys of the terminal are read one by one and not shown. The terminal is
-/// restored at its end, and before a signal ends the program. Ctrl-C works as ever. Does nothing if
-/// the standard input is no terminal, or not this program's to read.
+/// restored at its end, and before a signal ends or stops the program. Ctrl-C and Ctrl-Z work as
+/// ever. Does nothing if the standard input is no terminal, or not this program's to read.
 class Keys {
 public:
     Keys();
