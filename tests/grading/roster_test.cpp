@@ -200,6 +200,57 @@ TEST_CASE("a student's number is another's name for nobody, and namesakes are no
           "Login,Name,Raysteps\r\nzd1,Zoe Doe,0\r\nZoe_Doe_124,Zoe Doe,14\r\nbr,Bob Ray,14\r\n");
 }
 
+TEST_CASE("a line with an empty number has its name's grade, and one with another number none") {
+    const Moodle moodle;
+    moodle.write("term.txt", "roster: a.csv\nstudent: Numéro\nname: Nom\ngrade: TP\n");
+    moodle.write("a.csv", "Numéro;Nom;TP\n;;\n123;Zoé Doe;\n;Bob Ray;\n");
+    CHECK(moodle.upload() == "Numéro;Nom;TP\r\n;;\r\n123;Zoé Doe;7\r\n;Bob Ray;14\r\n");
+    moodle.write("a.csv", "Numéro;Nom;TP\n123;Zoé Doe;\n142;Bob Ray;old\n143;Léa Roy;\n");
+    CHECK(moodle.upload() ==
+          "Numéro;Nom;TP\r\n123;Zoé Doe;7\r\n142;Bob Ray;old\r\n143;Léa Roy;0\r\n");
+    CHECK(moodle.term().notes.at(0) ==
+          "a.csv:3: error: \"Bob Ray\" may be Bob_Ray_124, but \"142\" is another number; it has "
+          "no grade");
+}
+
+TEST_CASE("sheets as spreadsheets write them: separators and breaks in headings, a first line") {
+    const Moodle moodle;
+    const auto grades = [&](const std::string& sheet, const std::string& settings) {
+        moodle.write("a.csv", sheet);
+        moodle.write("term.txt", "roster: a.csv\ngrade: TP\n" + settings);
+        return moodle.upload();
+    };
+    CHECK(has(grades("\"Nom, prénom\";TP\nZoé Doe;\nBob Ray;\n", "student: Nom, prénom\n"),
+              "\r\nZoé Doe;7\r\nBob Ray;14\r\n"));
+    CHECK(has(grades("\"Numéro, ou code, ou login\";\"Nom, prénom\";TP\n123;\"Doe, Zoé\";\n",
+                     "student: Numéro, ou code, ou login\n"),
+              "\r\n123;Doe, Zoé;7\r\n"));
+    CHECK(has(grades("\"Numéro\r\nétudiant\";Nom;Prénom;TP\r\n123;Doe;Zoé;\r\n",
+                     "student: Numéro étudiant\nname: Prénom + Nom\n"),
+              "\r\n123;Doe;Zoé;7\r\n"));
+    CHECK(grades("sep=;\nNuméro;Nom;TP\n124;\"Ray, Bob, Jr., II\";\n", "student: Numéro\n") ==
+          "Numéro;Nom;TP\r\n124;Ray, Bob, Jr., II;14\r\n");
+    CHECK(has(grades("Numéro;Nom;TP\n123; \"Doe; Zoé\";\n124;Bob 6\" Ray;\n", "student: Numéro\n"),
+              "\r\n123;\"Doe; Zoé\";7\r\n124;\"Bob 6\"\" Ray\";14\r\n"));
+    for (const std::string most : {"-20", "0"}) {
+        CHECK(has(grades("Numéro;TP;Max\n124;;" + most + "\n", "student: Numéro\nmaximum: Max\n"),
+                  "\r\n124;14;" + most + "\r\n"));
+        CHECK(has(moodle.term().notes.at(0), "\"" + most + "\" is no maximum"));
+    }
+}
+
+TEST_CASE("points above the maximum are worth the same for a student who is excused") {
+    const Moodle moodle;
+    moodle.write("a.csv", "student\nZoé Doe\nBob Ray\n");
+    moodle.write("more.csv", "student,points\nZoé Doe,7\nBob Ray,7\n");
+    moodle.write("hand.csv", "student,stage,points\nZoé Doe,3,excused\n");
+    moodle.write("term.txt",
+                 "roster: a.csv\nout of: 19\nadditions: more.csv\nadditions of: 5\n"
+                 "overrides: hand.csv\n");
+    // 7 of 5, and 21 of 19: both have 2 points above the maximum.
+    CHECK(moodle.upload() == "student,Raysteps\r\nZoé Doe,21\r\nBob Ray,21\r\n");
+}
+
 TEST_CASE("two namesakes on the roster who submitted nothing have a line each") {
     const Small two;
     two.write("class.csv", "student,name\nzd1a,Zoe Doe\nzd1b,Zoe Doe\nann_1,Ann\n");

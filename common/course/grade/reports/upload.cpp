@@ -79,8 +79,11 @@ private:
         if (marks.of <= 0) return line(row, row.at(roster_.grade), remarks);  // nothing counts
         ++graded_;
         const std::optional<double> most = possible(row);
-        // All are of the same maximum, though not all stages count for everybody.
-        double points = marks.points / marks.of * most.value_or(of_);
+        // All are of the same maximum, though not all stages count for everybody. Points above
+        // that, by a bonus or an addition, are worth the same for everybody.
+        const double above = std::max(0.0, marks.points - marks.of);
+        const double share = (marks.points - above) / marks.of + above / of_;
+        double points = share * most.value_or(of_);
         // Moodle accepts no grade above its maximum, for example with a bonus.
         if (most && roster_.maximum != -1) points = std::min(points, *most);
         if (most) scaled_to_ = decimal(*most);

@@ -4,9 +4,11 @@
 #include "common/course/grade/results/student_names.hpp"
 
 #include "common/system/input_error.hpp"
+#include "common/system/lower_case.hpp"
 #include "common/system/readable.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace rt::grade {
 
@@ -26,13 +28,37 @@ std::string quoted(std::string text) {
     return "\"" + text + "\"";
 }
 
+/// The most frequent separator of the first line, outside of quotes.
 char separator_of(const std::string& text) {
-    const std::string first = text.substr(0, text.find('\n'));
+    std::string first;
+    bool is_quoted = false;
+    for (const char each : text) {
+        if (each == '"') is_quoted = !is_quoted;
+        if (each == '\n' && !is_quoted) break;
+        if (!is_quoted) first += each;
+    }
     const std::string separators = ",;\t";
     return *std::max_element(separators.begin(), separators.end(), [&](char one, char other) {
         return std::count(first.begin(), first.end(), one) <
                std::count(first.begin(), first.end(), other);
     });
+}
+
+/// The separator of Excel's own first line, "sep=;"; or nothing.
+std::optional<char> named_separator(const std::string& text) {
+    const std::string first = trimmed(text.substr(0, text.find('\n')));
+    const bool is_named = first.size() == 5 && lower_case(first).starts_with("sep=");
+    return is_named ? std::optional(first.back()) : std::nullopt;
+}
+
+/// A heading that may have a line break, in capitals or not.
+std::string title(std::string heading) {
+    std::erase(heading, '\r');
+    return folded(heading);
+}
+
+bool is_blank(const std::string& text) {
+    return text.find_first_not_of(" \t") == std::string::npos;
 }
 
 }  // namespace
@@ -44,7 +70,7 @@ std::string Csv::Row::at(int column) const {
 int Csv::column(const std::vector<std::string>& headings) const {
     for (const std::string& heading : headings)
         for (std::size_t i = 0; i < head.cells.size(); ++i)
-            if (!heading.empty() && folded(head.cells[i]) == folded(heading)) return int(i);
+            if (!heading.empty() && title(head.cells[i]) == title(heading)) return int(i);
     return -1;
 }
 
@@ -56,22 +82,25 @@ int Csv::wanted(const std::vector<std::string>& headings) const {
 
 Csv read_csv(const std::filesystem::path& file) {
     const auto [text, marked] = read_any_text(file);
-    Csv csv{.file = file, .separator = separator_of(text), .marked = marked};
+    const std::optional<char> named = named_separator(text);
+    Csv csv{.file = file, .separator = named ? *named : separator_of(text), .marked = marked};
     std::vector<Csv::Row> rows;
-    Csv::Row row{.line = 1};
+    int line = named ? 2 : 1;
+    Csv::Row row{.line = line};
     std::string cell;
-    int line = 1;
     const auto end_row = [&] {
         row.cells.push_back(std::move(cell));
         cell.clear();
         if (row.cells.size() > 1 || !row.cells[0].empty()) rows.push_back(std::move(row));
         row = {.line = line};
     };
-    for (std::size_t i = 0; i < text.size(); ++i) {
+    for (std::size_t i = named ? std::min(text.find('\n'), text.size() - 1) + 1 : 0;
+         i < text.size(); ++i) {
         const char c = text[i];
         if (c == '\n') ++line;
-        if (c == '"' && cell.empty()) {
+        if (c == '"' && is_blank(cell)) {
             const int start = line;
+            cell.clear();
             for (++i;; ++i) {
                 if (i >= text.size())
                     throw InputError({file.string(), start}, "this quote is not closed");

@@ -34,8 +34,9 @@ inline constexpr const char* end_of_line = "\r\n";
 /// "\"Identifier\", \"Full name\"", for a message.
 [[nodiscard]] std::string enumerated(const std::vector<std::string>& headings);
 
-/// The separator is the comma, semicolon or tab that is most frequent in the first line. Throws
-/// InputError if the file cannot be read, or a quote is not closed.
+/// The separator is the comma, semicolon or tab that is most frequent in the first line outside of
+/// quotes, or that of Excel's own first line, "sep=;". A quote may follow blanks. Throws InputError
+/// if the file cannot be read, or a quote is not closed.
 [[nodiscard]] Csv read_csv(const std::filesystem::path& file);
 
 /// The text with an apostrophe before it if a spreadsheet would evaluate it as a formula.

@@ -136,11 +136,15 @@ private:
         if (const auto student = only(matches, who(i), place(i))) set(i, *student);
     }
 
-    /// Students whom the sheet identifies by a platform's number are no namesakes with another one.
+    /// In a sheet with a platform's numbers, another number may be a namesake's, or a slip.
     void by_name(std::size_t i, int rows) {
         Students matches = names_.named(called(i));
-        if (matches.empty() && !has_numbers_) matches = names_.unnumbered(called(i));
+        const bool by_bare_name = matches.empty();
+        if (by_bare_name) matches = names_.unnumbered(called(i));
         for (const std::string& other : taken_) matches.erase(other);  // a namesake
+        if (by_bare_name && !matches.empty() && has_numbers_ && !who(i).empty())
+            throw InputError(place(i), "\"" + called(i) + "\" may be " + *matches.begin() +
+                                           ", but \"" + who(i) + "\" is another number");
         if (!matches.empty() && rows > 1)
             throw InputError(place(i), "\"" + called(i) + "\" is the name of " +
                                            std::to_string(rows) + " lines, one of them " +
@@ -180,10 +184,15 @@ bool Roster::is_maximum_row(const Csv::Row& row) const {
 }
 
 std::optional<double> Roster::maximum_of(const Csv::Row& row) const {
-    if (!of_canvas || maximum != -1) return number_of(row.at(maximum));
-    for (const Csv::Row& each : csv.rows)
-        if (is_maximum_row(each)) return number_of(each.at(grade));
-    return std::nullopt;
+    std::optional<double> most;
+    if (!of_canvas || maximum != -1) {
+        most = number_of(row.at(maximum));
+    } else {
+        const auto found = std::ranges::find_if(
+            csv.rows, [this](const Csv::Row& each) { return is_maximum_row(each); });
+        if (found != csv.rows.end()) most = number_of(found->at(grade));
+    }
+    return most && *most > 0 ? most : std::nullopt;
 }
 
 Roster roster_of(Csv csv, const Headings& headings) {
