@@ -197,6 +197,16 @@ TEST_CASE("passages of many students count little") {
     CHECK(found.near[0].percent.at(3) == 100);
 }
 
+TEST_CASE("a statement after every line hides no likeness") {
+    const std::string file = text_of("tests/alternatives/step03_sphere/textbook.cpp");
+    for (const std::string filler : {"if (false) std::abs(1.0);", "[[maybe_unused]] int q = 1;"}) {
+        Class results;
+        results.hand_in("anna", 3, file);
+        results.hand_in("ben", 3, replaced(file, ";\n", ";\n    " + filler + "\n"));
+        REQUIRE(results.found().near.size() == 1);
+    }
+}
+
 TEST_CASE("students who are similar in most stages are first") {
     Class results;
     const auto hand_in = [&](const std::string& one, const std::string& other, int stage) {
@@ -238,7 +248,8 @@ TEST_CASE("a copy of the project's main.cpp is one with other comments, names or
         };
         CHECK(is_copy(ours));
         CHECK(is_copy("// mine\n" + ours));
-        CHECK(is_copy(replaced(ours, "\n", "\r\n")));
+        for (const std::string end : {"\r\n", "\r"}) CHECK(is_copy(replaced(ours, "\n", end)));
+        CHECK(is_copy("\xef\xbb\xbf" + replaced(ours, "\n", "\r\n")));
         CHECK(is_copy(replaced(replaced(ours, "closest", "nearest"), "    ", "\t")));
         std::string without_comments;
         for (const std::string& line : lines_of(ours))
@@ -256,6 +267,24 @@ TEST_CASE("a copy of the project's main.cpp is one with other comments, names or
     CHECK_FALSE(
         is_copy_of_main(replaced(starter, last, last + "\n    closest.test(scene.triangles);"),
                         text_of("steps/step05_triangle/main.cpp"), starter));
+}
+
+TEST_CASE("a main.cpp with a few changes is reported as like the project's own, and is graded") {
+    const std::string folder = "steps/step10_shadows";
+    const std::string ours = text_of(folder + "/main.cpp");
+    const std::string before = "namespace {\n";
+    const std::string declared = replaced(
+        ours, before, before + "bool blocked(const Scene&, const ShadowRay&, Context&);\n");
+    REQUIRE(declared != ours);
+    CHECK_FALSE(is_copy_of_main(declared, ours, text_of(folder + "/starter/main.cpp")));
+    Class results;
+    results.hand_in_trace("anna", declared);
+    results.hand_in_trace(
+        "ben", text_of("tests/alternatives/step10_shadows/main/every_light_is_tried.cpp"));
+    const Similarity found = results.found();
+    REQUIRE(found.like_main.size() == 1);
+    CHECK(found.like_main[0].student == "anna");
+    CHECK(found.like_main[0].percent >= 90);
 }
 
 TEST_CASE("students with the same file are reported once, and not for the starter") {

@@ -284,16 +284,25 @@ std::string near(const std::vector<NearFiles>& found, const Term& term) {
 }
 
 /// Copies of the project's main.cpp that were changed a little.
-std::string copies(const std::vector<Mark>& marks, const Term& term) {
+std::string copies(const std::vector<Mark>& marks, const std::vector<LikeMain>& like,
+                   const Term& term) {
     std::string rows;
+    const auto add = [&](const std::string& student, int stage, const std::string& percent) {
+        rows += row(text_cell(term.called(student)) + text_cell(file_title({stage, true})) +
+                    text_cell(percent));
+    };
     for (const Mark& mark : marks)
         if (mark.words.find(copied_main) != std::string::npos)
-            rows += row(text_cell(term.called(mark.student)) +
-                        text_cell(file_title({mark.stage, true})));
+            add(mark.student, mark.stage, tr("not graded"));
+    for (const LikeMain& each : like)
+        add(each.student, each.stage, std::to_string(each.percent) + " %");
     return rows.empty()
                ? ""
                : "<h3>" + tr("Copies of the project's main.cpp") + "</h3>\n<p class=\"soft\">" +
-                     tr("They differ from it by comments, names or layout, and are not graded.") +
+                     tr("A copy that differs from it by comments, names or layout is not "
+                        "graded. Of the others, which are graded, the percentage of the "
+                        "longer file that is in both, from {percent} % on.",
+                        {{"percent", std::to_string(like_main_percent)}}) +
                      "</p>\n" + table("list", rows);
 }
 
@@ -316,6 +325,7 @@ void write_class_report(const std::filesystem::path& results, const std::filesys
                         const std::string& edition) {
     const std::map<int, int> stages = graded_stages(marks);
     const double most = most_points(stages, term);
+    const Similarity found = similarity(results, project, marks);
     const std::string body =
         "<header><h1>" + tr("Class report") + "</h1> <p>" +
         counted(int(submissions(marks, term).size()), "student") + ", " +
@@ -325,8 +335,7 @@ void write_class_report(const std::filesystem::path& results, const std::filesys
         left_over(results, term) + section(tr("Known mistakes"), mistakes(marks)) +
         section(tr("Hardest cases"), cases(marks)) +
         section(tr("Code that was stopped or refused"), stopped(marks, term)) +
-        section(tr("Similar files"),
-                copies(marks, term) + alike(similarity(results, project, marks), term));
+        section(tr("Similar files"), copies(marks, found.like_main, term) + alike(found, term));
     write_text(results / "class.html", page(tr("Class report"), body));
 }
 

@@ -1,5 +1,6 @@
 #include "common/course/grade/results/likeness.hpp"
 
+#include "common/course/grade/results/copy_of_main.hpp"
 #include "common/course/grade/results/submissions.hpp"
 #include "common/course/grade/results/winnowing.hpp"
 #include "common/system/files.hpp"
@@ -43,7 +44,7 @@ std::string source_text(const fs::path& file) {
 Text read(const Mark& mark, GradedFile graded, const fs::path& file,
           const std::vector<std::uint64_t>& given) {
     Text text{.student = mark.student, .source = graded.is_trace ? mark.trace_source : mark.source};
-    for (const std::uint64_t hash : fingerprints(normalized(source_text(file))))
+    for (const std::uint64_t hash : fingerprints(without_fillers(normalized(source_text(file)))))
         if (text.passages.size() < most_passages &&
             !std::binary_search(given.begin(), given.end(), hash))
             text.passages.push_back({.hash = hash});
@@ -135,6 +136,25 @@ void compare_all(const std::vector<Text>& texts, GradedFile graded, Pairs& pairs
     }
 }
 
+/// Of the files that are graded: the text of a refused copy is not stored.
+std::vector<LikeMain> like_main(const fs::path& results, const fs::path& project,
+                                const std::vector<Mark>& marks, int stage) {
+    const fs::path folder = project / "steps" / name_of(stage);
+    if (!has_trace(stage)) return {};
+    const std::string projects = read_text(folder / "main.cpp");
+    const std::string starter = read_text(folder / "starter/main.cpp");
+    std::vector<LikeMain> all;
+    for (const Mark& mark : marks) {
+        if (mark.stage != stage || mark.trace_source.empty()) continue;
+        const fs::path file =
+            student_folder(results, mark.student) / "submitted" / submitted_name({stage, true});
+        const int percent = percent_of_main(source_text(file), projects, starter);
+        if (percent >= like_main_percent)
+            all.push_back({.student = mark.student, .stage = stage, .percent = percent});
+    }
+    return all;
+}
+
 /// The strength of the evidence: the number of files, and the total.
 std::pair<std::size_t, int> strength(const NearFiles& near) {
     int sum = 0;
@@ -160,6 +180,8 @@ Similarity similarity(const fs::path& results, const fs::path& project,
             for (SameFile& same : same_files(texts, graded)) all.same.push_back(std::move(same));
             compare_all(texts, graded, pairs);
         }
+        for (LikeMain& each : like_main(results, project, marks, stage))
+            all.like_main.push_back(std::move(each));
     }
     for (auto& [names, near] : pairs) all.near.push_back(std::move(near));
     std::stable_sort(all.near.begin(), all.near.end(), [](const auto& one, const auto& other) {

@@ -35,9 +35,17 @@ struct NearGroup {
 /// The groups that the pairs connect, in the order of their first pairs.
 [[nodiscard]] std::vector<NearGroup> groups(const std::vector<NearFiles>& near);
 
+/// A main.cpp that is like the project's own (copy_of_main.hpp).
+struct LikeMain {
+    std::string student;
+    int stage = 1;
+    int percent = 0;
+};
+
 struct Similarity {
     std::vector<SameFile> same;   ///< by stage
     std::vector<NearFiles> near;  ///< most files first
+    std::vector<LikeMain> like_main;
 };
 
 /// The threshold of similarity. Independent right answers (the references and those in

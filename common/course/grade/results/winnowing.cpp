@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <map>
 #include <utility>
 
 namespace rt::grade {
@@ -42,17 +43,20 @@ std::size_t end_of_text(std::string_view source, std::size_t at) {
     return std::min(at + 1, source.size());
 }
 
-/// Without the ends of lines after a backslash, which continue on the next one.
+/// Without the ends of lines after a backslash, which continue on the next one, and without a byte
+/// order mark. All other ends of lines are "\n", old Macs' too.
 std::string spliced(std::string_view source) {
+    constexpr std::string_view mark = "\xef\xbb\xbf";
+    if (source.starts_with(mark)) source.remove_prefix(mark.size());
     std::string text;
     for (std::size_t at = 0; at < source.size(); ++at) {
-        const std::string_view rest = source.substr(at);
-        if (rest.starts_with("\\\n"))
-            ++at;
-        else if (rest.starts_with("\\\r\n"))
-            at += 2;
+        const bool is_two = source.substr(at).starts_with("\r\n");
+        if (is_two) ++at;
+        const char each = source[at] == '\r' ? '\n' : source[at];
+        if (each == '\n' && text.ends_with('\\'))
+            text.pop_back();
         else
-            text += source[at];
+            text += each;
     }
     return text;
 }
@@ -147,6 +151,26 @@ std::string normalized(std::string_view unspliced) {
         }
     }
     return tokens;
+}
+
+std::string without_fillers(const std::string& tokens) {
+    constexpr std::size_t fewest = 6;
+    std::map<std::string_view, std::size_t> counts;
+    const auto each_statement = [&tokens](auto work) {
+        for (std::size_t at = 0; at < tokens.size();) {
+            const std::size_t end = after(tokens, ";", at);
+            work(std::string_view(tokens).substr(at, end - at));
+            at = end;
+        }
+    };
+    std::size_t all = 0;
+    each_statement([&](std::string_view statement) { ++counts[statement], ++all; });
+    std::string kept;
+    each_statement([&](std::string_view statement) {
+        const std::size_t count = counts[statement];
+        if (count < fewest || 3 * count < all) kept += statement;
+    });
+    return kept;
 }
 
 std::vector<std::uint64_t> passages(const std::string& tokens) {

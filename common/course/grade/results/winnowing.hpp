@@ -14,6 +14,9 @@ namespace rt::grade {
 /// the text of a #define.
 [[nodiscard]] std::string normalized(std::string_view source);
 
+/// The normalized text without a statement that is a third of all: one put after every other.
+[[nodiscard]] std::string without_fillers(const std::string& tokens);
+
 /// Hashes of some of the passages of 16 tokens, sorted and without duplicates: two files that share
 /// any 23 tokens share at least one hash (winnowing: Schleimer, Wilkerson and Aiken).
 [[nodiscard]] std::vector<std::uint64_t> fingerprints(const std::string& tokens);
