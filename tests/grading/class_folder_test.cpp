@@ -221,3 +221,49 @@ TEST_CASE("one submission is one, whatever folders it has; a class with a stray 
     CHECK_THROWS_AS(ground.find({ground.place("")}), InputError);
     CHECK_THROWS_AS(one_submission({ground.place("nowhere")}), InputError);
 }
+
+TEST_CASE("names that look like Canvas's, of different archives or folders, are the students'") {
+    const Ground archives(RAYSTEPS_SEALED);
+    for (const char* name : {"tp_3_1_anna.zip", "tp_3_1_bob.zip", "tp_3_1_carl.zip"})
+        archives.write(name, "");
+    CHECK(archives.students() ==
+          std::vector<std::string>{"tp_3_1_anna", "tp_3_1_bob", "tp_3_1_carl"});
+    CHECK(names(archives.find(
+              {archives.place("tp_3_1_anna.zip"), archives.place("tp_3_1_bob.zip")})) ==
+          std::vector<std::string>{"tp_3_1_anna", "tp_3_1_bob"});
+    const Ground folders(RAYSTEPS_SEALED);
+    folders.write("lab_03_2026_anna/sphere.cpp", "hers");
+    folders.write("lab_03_2026_bob/sphere.cpp", "his");
+    CHECK(folders.students() == std::vector<std::string>{"lab_03_2026_anna", "lab_03_2026_bob"});
+    CHECK(names(folders.find(
+              {folders.place("lab_03_2026_anna/"), folders.place("lab_03_2026_bob/")})) ==
+          std::vector<std::string>{"lab_03_2026_anna", "lab_03_2026_bob"});
+    const Ground counted(RAYSTEPS_SEALED);
+    for (const char* name : {"tp_3_1_anna.zip", "tp_3_2_bob.zip"}) counted.write(name, "");
+    CHECK(counted.students() == std::vector<std::string>{"tp_3_1_anna", "tp_3_2_bob"});
+}
+
+TEST_CASE("several archives that Canvas names as one student's are said to be one submission") {
+    const Ground ground(RAYSTEPS_SEALED);
+    for (const char* name : {"doezoe_123_4567_work.zip", "doezoe_123_4568_more.zip"})
+        ground.write(name, "");
+    ground.write("moemax_124_4569_sphere.cpp", "his");
+    const ClassFolder found = ground.find({ground.place("")});
+    CHECK(names(found) == std::vector<std::string>{"doezoe_123", "moemax_124"});
+    CHECK(found.left_over ==
+          std::vector<std::string>{
+              "doezoe_123: doezoe_123_4567_work.zip and doezoe_123_4568_more.zip are graded as one "
+              "submission, by their numbers"});
+}
+
+TEST_CASE("a folder of a class that looks like a class itself is reported, as an archive is") {
+    const Ground ground(RAYSTEPS_SEALED);
+    ground.write("2024/anna/sphere.cpp", "hers");
+    ground.write("2024/bob/sphere.cpp", "his");
+    const std::string says = "; 2024 looks like a class of 2, anna, bob, if you name it alone";
+    CHECK(ground.find({ground.place("")}).taken_as.at(0).ends_with("class of 1: 2024" + says));
+    ground.write("carl/steps/step03_sphere/student/sphere.cpp", "his");
+    ground.write("carl/steps/step04_plane/student/plane.cpp", "his");
+    CHECK(ground.find({ground.place("")}).taken_as.at(0).ends_with("2024, carl" + says));
+    CHECK(names(ground.find({ground.place("2024")})) == std::vector<std::string>{"anna", "bob"});
+}

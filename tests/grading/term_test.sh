@@ -45,6 +45,12 @@ done
 grade 2 trap
 says "trap: error: looks like a class, and would replace the marks of Bob_Ray_124, Zoé_Doe_123"
 mark Zoé_Doe_123 22
+# Others' files, put in the folder that was graded for another student.
+cp -r trap/* late
+rm late/mallory.zip
+grade 2 late
+says "late: error: looks like a class, and would replace the marks of Bob_Ray_124, Zoé_Doe_123"
+mark Zoé_Doe_123 22
 [ ! -e results/changes.csv ] || fail "no mark has changed: $(cat results/changes.csv)"
 
 # A student of the roster, again.

@@ -208,14 +208,14 @@ std::vector<Submission> chosen(const std::vector<Submission>& all, const Order& 
 /// Throws InputError if the folder of a class would replace marks of a class in another folder: it
 /// may be one student's submission, who has named files as others'.
 void check_replaced(const ClassFolder& found, const Order& order) {
-    if (!order.students.empty()) return;
+    if (!order.students.empty() || order.is_class) return;
     const std::vector<std::string> graded = students_in(order.results);
     for (const auto& [place, students] : found.classes) {
         std::string replaced;
-        if (!is_graded_class(order.results, place))
-            for (const std::string& student : students)
-                if (std::binary_search(graded.begin(), graded.end(), student))
-                    replaced += (replaced.empty() ? "" : ", ") + student;
+        for (const std::string& student : students)
+            if (std::binary_search(graded.begin(), graded.end(), student) &&
+                !is_graded_at(order.results, place, student))
+                replaced += (replaced.empty() ? "" : ", ") + student;
         if (!replaced.empty())
             throw InputError({place},
                              "looks like a class, and would replace the marks of " + replaced +
@@ -225,12 +225,16 @@ void check_replaced(const ClassFolder& found, const Order& order) {
     }
 }
 
-/// Stores the places of the class, whose marks later runs on them may replace.
-void add_graded_classes(const ClassFolder& found, const Order& order) {
-    if (!order.students.empty()) return;
-    for (const fs::path& place : order.places)
-        if (found.classes.count(place) == 1 || order.is_class)
-            add_graded_class(order.results, place);
+/// Stores the places of the class and their students, whose marks later runs on them may replace.
+void add_graded_classes(const ClassFolder& found, const std::vector<Submission>& mine,
+                        const Order& order) {
+    for (auto [place, students] : found.classes) {
+        if (!order.students.empty())
+            std::erase_if(students, [&mine](const std::string& student) {
+                return std::ranges::find(mine, student, &Submission::student) == mine.end();
+            });
+        add_graded_class(order.results, place, students);
+    }
 }
 
 /// The files that belong to no submission, and the students of an earlier run who are not in the
@@ -301,7 +305,7 @@ Outcome grade(const Order& order, const fs::path& folder) {
     check_replaced(found, order);
     const std::vector<Submission> submissions = chosen(found.submissions, order);
     grading.seed = seed_identifier(agreed_seed(order.results, order.seed_file));
-    add_graded_classes(found, order);
+    add_graded_classes(found, submissions, order);
     // Grading one student again keeps the report on the class.
     const bool is_class = found.submissions.size() > 1 || !found.left_over.empty();
     if (is_class && order.part == 1 && order.students.empty())

@@ -39,6 +39,11 @@ public:
     Finding(const BuildDirectory& workshop, const fs::path& results, bool archives_are_classes)
         : workshop_(workshop), results_(results), archives_are_classes_(archives_are_classes) {}
 
+    /// The entries of a folder, or the lecturer's places: whose labels are a platform's.
+    void look_at(const std::vector<fs::path>& entries) {
+        as_named_.merge(without_platform(entries));
+    }
+
     void add_place(const fs::path& place) {
         places_.push_back({place});
         if (fs::is_directory(place))
@@ -68,7 +73,7 @@ public:
         }
         for (const Place& place : places_) {
             all.taken_as.push_back(taken_as(place, names));
-            if (!place.is_class || archives_are_classes_) continue;
+            if (!place.is_class) continue;
             for (const Key& key : place.students) all.classes[place.path].push_back(names.at(key));
         }
         all.left_over = std::move(left_over_);
@@ -104,14 +109,22 @@ private:
         places_.back().students.insert(key);
     }
 
+    /// Of a name by Moodle or Canvas.
+    [[nodiscard]] std::optional<Labeled> label_of(const fs::path& place) const {
+        return as_named_.contains(place) ? std::nullopt : label(last_name(place));
+    }
+
+    [[nodiscard]] bool has_labels(const std::vector<fs::path>& entries) const {
+        return std::any_of(entries.begin(), entries.end(),
+                           [this](const fs::path& each) { return label_of(each).has_value(); });
+    }
+
     void add_student(const fs::path& place) {
         const fs::path full = fs::absolute(place).lexically_normal();
-        const std::string last =
-            full.has_filename() ? full.filename() : full.parent_path().filename();
-        if (const std::optional<Labeled> labeled = label(last))
+        if (const std::optional<Labeled> labeled = label_of(place))
             add_labeled(full, *labeled);
         else
-            add_unlabeled(full, last);
+            add_unlabeled(full, last_name(place));
     }
 
     /// The name of an archive is the student's, which no report on anonymous students contains.
@@ -120,8 +133,20 @@ private:
         add({place, student}, {place, "submission" + name.substr(student.size())});
     }
 
+    [[nodiscard]] static bool is_whole(const fs::path& place) {
+        return is_folder(place) || is_archive(place.filename());
+    }
+
     /// A student may have several files and folders.
     void add_labeled(const fs::path& place, const Labeled& labeled) {
+        const auto before = by_student_.find({place.parent_path(), labeled.student});
+        if (!labeled.number.empty() && before != by_student_.end())
+            for (const Piece& each : before->second)
+                if (is_whole(each.place) && is_whole(place))
+                    left_over_.push_back(plain_name(labeled.student) + ": " +
+                                         one_line(each.place.filename().string()) + " and " +
+                                         one_line(place.filename().string()) +
+                                         " are graded as one submission, by their numbers");
         add({place.parent_path(), labeled.student}, {place, labeled.name});
         if (labeled.late)
             left_over_.push_back(plain_name(labeled.student) +
@@ -130,15 +155,16 @@ private:
 
     void add_folder(const fs::path& place) {
         const std::vector<fs::path> entries = entries_of(place);
+        look_at(entries);
         const bool labels = has_labels(entries);
-        if (!archives_are_classes_ &&
-            (label(place.filename()) || (!labels && is_submission(entries)))) {
+        if (!archives_are_classes_ && (label_of(place) || (!labels && is_submission(entries)))) {
             if (!labels && are_many(entries))
                 throw InputError({place},
                                  "has a stage's file, and folders that have one too: is it a class "
                                  "or a submission? --one grades it as one submission; move the "
                                  "file away to grade a class");
-            return add_student(place);
+            add_student(place);
+            return doubt(place);
         }
         places_.back().is_class = true;
         const bool alone = 1 == std::count_if(entries.begin(), entries.end(), [](const auto& each) {
@@ -151,8 +177,10 @@ private:
                 add_class_archive(each);
                 continue;
             }
+            const std::size_t before = places_.back().students.size();
             add_entry(each);
-            if (is_only_archive) doubt(each);
+            const bool is_student = places_.back().students.size() > before;
+            if (is_only_archive || (is_student && is_folder(each) && !labels)) doubt(each);
         }
     }
 
@@ -167,7 +195,7 @@ private:
             if (is_results(entry)) return leave(entry, "contains the results of a run");
             return add_student(entry);
         }
-        if (const std::optional<Labeled> labeled = label(name))
+        if (const std::optional<Labeled> labeled = label_of(entry))
             return add_labeled(fs::absolute(entry).lexically_normal(), *labeled);
         if (fs::is_regular_file(entry) && is_archive(name)) return add_student(entry);
         leave(entry,
@@ -179,7 +207,7 @@ private:
     }
 
     void add_archive(const fs::path& archive) {
-        if (label(archive.filename())) return add_student(archive);
+        if (label_of(archive)) return add_student(archive);
         if (archives_are_classes_) return add_class_archive(archive);
         add_student(archive);
         doubt(archive);
@@ -194,6 +222,7 @@ private:
             throw InputError({archive}, "is damaged, or contains more than " +
                                             std::to_string(class_megabytes) +
                                             " MB of submissions: please unpack it yourself");
+        look_at(found->entries);
         if (!has_labels(found->entries) && is_submission(found->entries))
             throw InputError({archive},
                              "has a stage's file at its top: it is one submission, and "
@@ -201,32 +230,41 @@ private:
         for (const fs::path& each : found->entries) add_entry(each);
     }
 
-    /// Remarks that a student's archive looks like a class.
-    void doubt(const fs::path& archive) {
-        std::optional<LaidOut> found;
-        try {
-            found = lay_out(workshop_, archive, submission_megabytes);
-        } catch (const Interrupted&) {
-            throw;
-        } catch (const std::exception&) {
-            // Its grading reports the reason.
+    /// Remarks that a student's archive or folder looks like a class.
+    void doubt(const fs::path& place) try {
+        if (is_folder(place)) {
+            std::vector<fs::path> entries = entries_of(place);
+            while (entries.size() == 1 && is_folder(entries[0])) entries = entries_of(entries[0]);
+            const std::string students = students_in(place, entries);
+            if (!students.empty()) places_.back().doubt += students + ", if you name it alone";
+        } else if (const auto found = lay_out(workshop_, place, submission_megabytes)) {
+            const std::string students = students_in(place, found->entries);
+            if (!students.empty()) places_.back().doubt += students + ", which --class would grade";
+            fs::remove_all(found->folder);
         }
-        if (!found) return;
-        const std::vector<fs::path>& entries = found->entries;
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const std::exception&) {
+        // Its grading reports the reason.
+    }
+
+    /// "; week1.zip looks like a class of 2, anna, bob", or nothing.
+    [[nodiscard]] std::string students_in(const fs::path& place,
+                                          const std::vector<fs::path>& entries) const {
         const auto archives = std::count_if(entries.begin(), entries.end(), [](const auto& each) {
             return !is_folder(each) && is_archive(each.filename());
         });
         Finding inside(workshop_, results_, false);
-        inside.places_.push_back({archive});
-        if (has_labels(entries) || (!is_submission(entries) && (archives > 1 || are_many(entries))))
+        inside.look_at(entries);
+        inside.places_.push_back({place});
+        if (inside.has_labels(entries) ||
+            (!is_submission(entries) && (archives > 1 || are_many(entries))))
             for (const fs::path& each : entries) inside.add_entry(each);
         std::vector<std::string> students;
         for (const Submission& each : inside.found().submissions) students.push_back(each.student);
-        if (!students.empty())
-            places_.back().doubt = "; " + archive.filename().string() + " looks like a class of " +
-                                   std::to_string(students.size()) + ", " + listed(students) +
-                                   ", which --class would grade";
-        fs::remove_all(found->folder);
+        return students.empty() ? ""
+                                : "; " + place.filename().string() + " looks like a class of " +
+                                      std::to_string(students.size()) + ", " + listed(students);
     }
 
     const BuildDirectory& workshop_;
@@ -235,6 +273,7 @@ private:
     std::map<Key, std::vector<Piece>> by_student_;
     std::vector<Place> places_;
     std::vector<std::string> left_over_;
+    std::set<fs::path> as_named_;  ///< whose names are no platform's, though they look so
 };
 
 }  // namespace
@@ -242,6 +281,7 @@ private:
 ClassFolder find_class(const BuildDirectory& workshop, const std::vector<fs::path>& places,
                        const fs::path& results, bool archives_are_classes) {
     Finding finding(workshop, results, archives_are_classes);
+    finding.look_at(places);
     for (const fs::path& place : places) finding.add_place(place);
     ClassFolder found = finding.found();
     if (found.submissions.empty()) {
@@ -258,8 +298,7 @@ ClassFolder one_submission(const std::vector<fs::path>& places) {
     for (const fs::path& place : places) {
         if (!fs::exists(place)) throw InputError({place}, "does not exist");
         const fs::path full = fs::absolute(place).lexically_normal();
-        const std::string last =
-            full.has_filename() ? full.filename() : full.parent_path().filename();
+        const std::string last = last_name(place);
         const std::optional<Labeled> labeled = label(last);
         if (submission.student.empty())
             submission.student =

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 
 namespace rt::grade {
 
@@ -55,6 +56,11 @@ bool is_folder(const fs::path& place) {
     return fs::is_directory(fs::symlink_status(place));
 }
 
+std::string last_name(const fs::path& place) {
+    const fs::path full = fs::absolute(place).lexically_normal();
+    return full.has_filename() ? full.filename() : full.parent_path().filename();
+}
+
 std::set<int> stages_in(const fs::path& folder) {
     std::set<int> stages;
     std::error_code failed;
@@ -76,9 +82,25 @@ bool is_submission(const std::vector<fs::path>& entries) {
     });
 }
 
-bool has_labels(const std::vector<fs::path>& entries) {
-    return std::any_of(entries.begin(), entries.end(),
-                       [](const fs::path& each) { return label(each.filename()).has_value(); });
+std::set<fs::path> without_platform(const std::vector<fs::path>& entries) {
+    std::map<std::string, std::vector<fs::path>> by_student;
+    std::map<std::string, std::set<std::string>> numbers;
+    std::size_t archives = 0;
+    bool has_late = false;
+    for (const fs::path& each : entries) {
+        const std::optional<Labeled> labeled = label(last_name(each));
+        if (!labeled || labeled->number.empty()) continue;
+        by_student[labeled->student].push_back(each);
+        numbers[labeled->student].insert(labeled->number);
+        archives += is_folder(each) || is_archive(last_name(each)) ? 1 : 0;
+        has_late = has_late || labeled->late;
+    }
+    const bool are_one_student = by_student.size() == 1 && archives > 1 && !has_late;
+    std::set<fs::path> all;
+    for (const auto& [student, files] : by_student)
+        if (are_one_student || numbers[student].size() < files.size())
+            all.insert(files.begin(), files.end());
+    return all;
 }
 
 bool are_many(const std::vector<fs::path>& entries) {

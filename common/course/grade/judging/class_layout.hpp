@@ -16,14 +16,20 @@ namespace rt::grade {
 /// True for a folder that is no link.
 [[nodiscard]] bool is_folder(const std::filesystem::path& place);
 
+/// The name of a file or folder, "anna" of "anna/".
+[[nodiscard]] std::string last_name(const std::filesystem::path& place);
+
 /// The stages with a file anywhere in the folder.
 [[nodiscard]] std::set<int> stages_in(const std::filesystem::path& folder);
 
 /// True if the top of the folder contains a stage's file, a stage's folder, or "steps".
 [[nodiscard]] bool is_submission(const std::vector<std::filesystem::path>& entries);
 
-/// True if a learning platform has named one of the entries.
-[[nodiscard]] bool has_labels(const std::vector<std::filesystem::path>& entries);
+/// The entries that look as Canvas would name them, "tp_3_1_anna.zip", but are not its: Canvas
+/// gives each file a number of its own, and of several archives or folders in a class not all are
+/// one student's.
+[[nodiscard]] std::set<std::filesystem::path> without_platform(
+    const std::vector<std::filesystem::path>& entries);
 
 /// True if the folders look like several students': two contain a file of the same stage.
 [[nodiscard]] bool are_many(const std::vector<std::filesystem::path>& entries);

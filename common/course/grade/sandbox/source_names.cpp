@@ -163,13 +163,17 @@ std::optional<Labeled> label(const std::string& name) {
     // The first label in the name is the platform's. What follows it is the student's own name for
     // the file, which may look like another label.
     // doezoe_123_456_sphere.cpp: the student's number, and the file's
-    static const std::regex canvas(R"(([^_]+)_(LATE_)?([0-9]+)_[0-9]+_([\s\S]+))");
+    static const std::regex canvas(R"(([^_]+)_(LATE_)?([0-9]+)_([0-9]+)_([\s\S]+))");
     // Zoe Doe_123_assignsubmission_file_, and a file's name after it if there are no folders
     static const std::regex moodle(R"(([\s\S]+?_[0-9]+)_assignsubmission_[a-z]+_?([\s\S]*))");
     std::smatch parts;
     if (std::regex_match(name, parts, canvas))
-        return Labeled{parts[1].str() + "_" + parts[3].str(), parts[4], parts[2].matched};
-    if (std::regex_match(name, parts, moodle)) return Labeled{parts[1], parts[2]};
+        return Labeled{.student = parts[1].str() + "_" + parts[3].str(),
+                       .name = parts[5],
+                       .late = parts[2].matched,
+                       .number = parts[4]};
+    if (std::regex_match(name, parts, moodle))
+        return Labeled{.student = parts[1], .name = parts[2], .number = ""};
     return std::nullopt;
 }
 

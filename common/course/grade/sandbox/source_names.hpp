@@ -29,6 +29,7 @@ struct Labeled {
     std::string student;
     std::string name;  ///< the student's own name for the file; empty for a folder
     bool late = false;
+    std::string number;  ///< Canvas's, of the file; empty for Moodle's
 };
 
 /// The parts of a name by Moodle or Canvas; nothing for another name.
