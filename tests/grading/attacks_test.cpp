@@ -215,6 +215,20 @@ std::string stage_file(const std::string& stage, const std::string& folder) {
     return std::string(RAYSTEPS_ROOT) + "/steps/" + stage + "/" + folder + "/" + name;
 }
 
+/// Puts another compiler in a link kit. Returns the one that was there.
+std::string replace_compiler(const fs::path& kit, const fs::path& by) {
+    const std::string start = "compiler ";
+    std::string before;
+    std::string options;
+    for (const std::string& line : lines_of(read_text(kit))) {
+        const bool names_it = line.starts_with(start);
+        if (names_it) before = line.substr(start.size());
+        options += (names_it ? start + by.string() : line) + "\n";
+    }
+    write_text(kit, options);
+    return before;
+}
+
 bool is_built(const std::string& stage) {
     return fs::exists(std::string(RAYSTEPS_BUILD) + "/seats/" + stage + ".o");
 }
@@ -339,13 +353,7 @@ TEST_CASE(
     for (const fs::path& each : {secret, wrapper}) fs::create_directory(each.parent_path());
     write_text(secret, "TOPSECRET\n");
     const fs::path kit = folder.path() / "seats/step03_sphere.txt";
-    std::string options;
-    for (const std::string& line : lines_of(read_text(kit))) {
-        const bool names_it = line.starts_with("compiler ");
-        if (names_it) write_text(wrapper, "#!/bin/sh\nexec " + line.substr(9) + " \"$@\"\n");
-        options += (names_it ? "compiler " + wrapper.string() : line) + "\n";
-    }
-    write_text(kit, options);
+    write_text(wrapper, "#!/bin/sh\nexec " + replace_compiler(kit, wrapper) + " \"$@\"\n");
     fs::permissions(wrapper, fs::perms(0755));
     const std::string right = content(stage_file("step03_sphere", "reference"));
     const auto compiled = [&](const std::string& text) {
@@ -359,12 +367,69 @@ TEST_CASE(
     CHECK(read.words.find("TOPSECRET") == std::string::npos);
 }
 
-TEST_CASE("a file in UTF-16 is recognized by its first bytes") {
+TEST_CASE("with g++, every file of functions is compiled once, from a valid precompiled header") {
     const TemporaryFolder folder;
-    const grade::Build made = grade::compile_submission(
-        grade::open_workshop(RAYSTEPS_ROOT, RAYSTEPS_BUILD, folder.path()), 3,
-        std::string("\xff\xfe#\0i\0", 6), folder.path() / "submission.o");
-    CHECK(made.words.find("UTF-16") != std::string::npos);
+    const TemporaryFolder place;
+    for (const TemporaryFolder* each : {&folder, &place})
+        fs::permissions(each->path(), fs::perms(0755));
+    const grade::BuildDirectory workshop =
+        grade::open_workshop(RAYSTEPS_ROOT, RAYSTEPS_BUILD, folder.path());
+    // A second compile has no -include.
+    const fs::path once = place.path() / "once";
+    for (const std::string stage : {"step01_ray_generation", "step03_sphere", "step09_phong"}) {
+        const fs::path kit = folder.path() / "seats" / (stage + ".txt");
+        if (read_text(kit).find("\nheader ") == std::string::npos) continue;
+        write_text(once, "#!/bin/sh\ncase $* in *' -include '*) exec " +
+                             replace_compiler(kit, once) +
+                             " \"$@\" ;; esac\necho compiled again\nexit 1\n");
+        fs::permissions(once, fs::perms(0755));
+        std::ofstream(kit, std::ios::app)
+            << "compile -Winvalid-pch\ncompile -Werror\ncompile -isystem" << place.path().string()
+            << '\n';
+        const grade::Build made = grade::compile_submission(workshop, *find_stage(stage),
+                                                            content(stage_file(stage, "reference")),
+                                                            folder.path() / "submission.o");
+        INFO(stage << ": " << made.words);
+        CHECK(made.succeeded);
+    }
+}
+
+TEST_CASE("a compiler that the system kills is no mark, whatever a submission makes it print") {
+    const TemporaryFolder folder;
+    const TemporaryFolder place;
+    for (const TemporaryFolder* each : {&folder, &place})
+        fs::permissions(each->path(), fs::perms(0755));
+    const grade::BuildDirectory workshop =
+        grade::open_workshop(RAYSTEPS_ROOT, RAYSTEPS_BUILD, folder.path());
+    const fs::path kit = folder.path() / "seats/step03_sphere.txt";
+    if (read_text(kit).find("\ndriver ") == std::string::npos) return;  // clang++ is one process
+    const fs::path killed = place.path() / "cc1plus";
+    write_text(killed, "#!/bin/sh\nulimit -t 1\nwhile :; do :; done\n");
+    fs::permissions(killed, fs::perms(0755));
+    std::ofstream(kit, std::ios::app) << "compile -isystem" << place.path().string()
+                                      << "\ncompile -B" << place.path().string() << "/\n";
+    CHECK_THROWS_AS(
+        grade::compile_submission(workshop, 3, content(stage_file("step03_sphere", "reference")),
+                                  folder.path() / "submission.o"),
+        ProgramError);
+}
+
+TEST_CASE("a file in UTF-16 or UTF-32 is recognized, with or without its first bytes") {
+    const TemporaryFolder folder;
+    const grade::BuildDirectory workshop =
+        grade::open_workshop(RAYSTEPS_ROOT, RAYSTEPS_BUILD, folder.path());
+    for (const auto& [text, name] : {std::pair("\xff\xfe#\0i\0"s, "UTF-16, "s),
+                                     {"\xfe\xff\0#\0i"s, "UTF-16, "},
+                                     {"#\0i\0\n\0"s, "UTF-16, "},
+                                     {"\0#\0i\0\n"s, "UTF-16, "},
+                                     {"\xff\xfe\0\0#\0\0\0"s, "UTF-32, "},
+                                     {"\0\0\xfe\xff\0\0\0#"s, "UTF-32, "},
+                                     {"#\0\0\0i\0\0\0"s, "UTF-32, "}}) {
+        const grade::Build made =
+            grade::compile_submission(workshop, 3, text, folder.path() / "submission.o");
+        INFO(name);
+        CHECK(made.words.find("Your file is encoded in " + name) == 0);
+    }
 }
 
 namespace {

@@ -37,7 +37,7 @@ sed -n 's/.*"\([^"\\]\{16,\}\)".*/\1/p' "$project"/steps/*/story.cpp > "$folder/
 [ "$(wc -l < "$folder/sentences")" -ge 8 ] || fail "the sentences of the stories are found"
 
 # Each line of options is one: of two macros, the second would have no -D.
-grep -vE '^((compile|function) -|(compiler|header|main_header|link|library) )' "$build"/seats/step??_*.txt > "$folder/lines" &&
+grep -vE '^((compile|function) -|(compiler|driver|header|main_header|link|library) )' "$build"/seats/step??_*.txt > "$folder/lines" &&
     fail "seats/*.txt has options only: $(head -n 1 "$folder/lines")"
 
 for seat in "$build"/seats/graded/step??_*.o; do

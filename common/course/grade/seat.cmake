@@ -8,7 +8,8 @@
 # seats/graded/<file>.txt     the functions of all contracts, and their status for that file
 # seats/<stage>.txt           one per line: the options for compiling a file of the stage, those for a
 #                             file of functions only, and for linking, and with g++ the precompiled
-#                             headers of its functions and of any main.cpp
+#                             headers of its functions and of any main.cpp, and options that make its
+#                             exit status that of the program that it ran: 128 + a signal
 #
 # <stage>_seat is the target that makes them.
 function(raysteps_seat stage)
@@ -37,12 +38,15 @@ function(raysteps_seat stage)
 
     set(few_errors $<IF:$<STREQUAL:${CMAKE_CXX_COMPILER_ID},Clang>,-ferror-limit=20,-fmax-errors=20>)
     set(precompiled)
+    set(driver)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         raysteps_headers_of(${stage} start)
         get_target_property(common raysteps_common_f64 BINARY_DIR)
         set(precompiled "header ${common}/CMakeFiles/${start}_f64.dir/cmake_pch.hxx.gch"
             "main_header ${common}/CMakeFiles/raysteps_common_f64.dir/cmake_pch.hxx.gch")
         add_dependencies(${stage}_seat ${start}_f64 raysteps_common_f64)
+        set(driver "driver -pass-exit-codes" "driver -wrapper"
+            "driver sh,-c,\"$0\" \"$@\" || exit $?")
     endif()
     # Warnings are for the author of the file, not for the grader.
     set(options
@@ -52,7 +56,7 @@ function(raysteps_seat stage)
     list(REMOVE_ITEM headers ${CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES})
     list(TRANSFORM headers PREPEND "compile -isystem")
     list(TRANSFORM students_assertions PREPEND "function -D" OUTPUT_VARIABLE assertions)
-    set(lines "compiler ${CMAKE_CXX_COMPILER}" "compile -std=c++20" "compile -O2"
+    set(lines "compiler ${CMAKE_CXX_COMPILER}" ${driver} "compile -std=c++20" "compile -O2"
         "compile $<JOIN:${options},\ncompile >" "compile ${students_errors}" "compile ${few_errors}"
         "compile -D$<JOIN:${definitions},\ncompile -D>"
         ${assertions} ${headers} ${precompiled}

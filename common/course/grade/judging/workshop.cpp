@@ -95,21 +95,32 @@ Command compiler(const BuildDirectory& workshop, GradedFile graded) {
     const Options options = read_options(workshop, graded.stage);
     Command compile;
     append(compile, options, "compiler");
+    append(compile, options, "driver");
     append(compile, options, "compile");
     if (!graded.is_trace) append(compile, options, "function");
     compile.push_back("-I" + headers_of(workshop, graded).string());
     return compile;
 }
 
-/// True if a limit ended the tool. The limit that a bomb reaches first, and its progress until
-/// then, depend on the load of the machine.
+/// True if a line of the output is a tool's own about memory: "cc1plus: out of memory allocating
+/// …". Lines on a file start with its name and a colon without a blank, or with blanks.
+bool is_short_of_memory(const std::string& output) {
+    for (const std::string& line : lines_of(output)) {
+        std::string_view words = line;
+        const std::size_t end = words.find_first_of(" :");
+        if (end != std::string_view::npos && words.substr(end).starts_with(": "))
+            words.remove_prefix(end + 2);
+        for (const char* each : {"out of memory", "memory exhausted", "virtual memory exhausted",
+                                 "LLVM ERROR: out of memory", "cannot allocate memory"})
+            if (words.starts_with(each)) return true;
+    }
+    return false;
+}
+
+/// True if a limit, or a signal, ended the tool or the program that it ran. The limit that a bomb
+/// reaches first, and its progress until then, depend on the load of the machine.
 bool is_bomb(const ProcessResult& ending) {
-    const auto says = [&ending](const char* words) {
-        return ending.output.find(words) != std::string::npos;
-    };
-    return ending.out_of_time || ending.status == 128 + SIGXCPU ||
-           says("signal terminated program") || says("out of memory") || says("memory exhausted") ||
-           says("cannot allocate memory");
+    return ending.out_of_time || ending.status > 128 || is_short_of_memory(ending.output);
 }
 
 /// The message about a failed tool: its own output, identical in every run.
@@ -205,6 +216,17 @@ std::string compile_message(const ProcessResult& ending, const BuildDirectory& w
            name_of(graded.stage) + ".md lists the allowed headers.\n" + words;
 }
 
+/// "UTF-16" or "UTF-32", by the first bytes or the zeros in every letter; or nothing.
+std::string wide_encoding(const std::string& text) {
+    const auto starts = [&text](std::string_view bytes) { return text.starts_with(bytes); };
+    using namespace std::string_view_literals;
+    const auto zeros = std::size_t(std::count(text.begin(), text.end(), '\0'));
+    if (starts("\xff\xfe\0\0"sv) || starts("\0\0\xfe\xff"sv) || zeros > text.size() / 3 * 2)
+        return "UTF-32";
+    if (starts("\xff\xfe") || starts("\xfe\xff") || zeros > text.size() / 3) return "UTF-16";
+    return "";
+}
+
 void copy_headers(const fs::path& project, const BuildDirectory& workshop, GradedFile graded) {
     for (const fs::path& header : allowed_headers(project, graded)) {
         const fs::path copy = headers_of(workshop, graded) / header;
@@ -235,19 +257,6 @@ void take(const fs::path& made, const fs::path& to, fs::perms permissions) {
     fs::rename(made, to);
     if (lchown(to.c_str(), geteuid(), getegid()) != 0) throw ProgramError(to.string() + ": owner");
     fs::permissions(to, permissions);
-}
-
-/// True if SIGKILL ended the tool or a program that it started, as the last lines of g++ say. Of
-/// the sandbox's limits only that of processor time sends it; the system does when its memory is
-/// full.
-bool is_killed(const ProcessResult& ending) {
-    constexpr std::string_view words = "fatal error: Killed signal terminated program ";
-    const std::string& output = ending.output;
-    const std::size_t at = output.rfind(words);
-    return ending.status == 128 + SIGKILL ||
-           (at != std::string::npos &&
-            output.substr(std::min(output.find('\n', at), output.size())) ==
-                "\ncompilation terminated.\n");
 }
 
 constexpr const char* short_of_memory =
@@ -336,7 +345,9 @@ ProcessResult run_sealed(const BuildDirectory& workshop, const fs::path& writabl
     if (ending.processor_seconds < limits.processor_seconds / 2.0) {
         const std::string tool = fs::path(command.at(0)).filename().string();
         if (by_a_limit) throw ProgramError(tool + ended_by_the_clock(ending));
-        if (is_killed(ending)) throw ProgramError(tool + short_of_memory);
+        // Of the sandbox's limits only that of processor time sends SIGKILL; the system does when
+        // its memory is full. What a tool prints is not evidence: a submission can choose it.
+        if (ending.status == 128 + SIGKILL) throw ProgramError(tool + short_of_memory);
     }
     if (ending.status != 0) check_space(writable);
     return ending;
@@ -344,10 +355,10 @@ ProcessResult run_sealed(const BuildDirectory& workshop, const fs::path& writabl
 
 Build compile_submission(const BuildDirectory& workshop, GradedFile graded, const std::string& text,
                          const fs::path& object) {
-    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
-        return {.words =
-                    "Your file is encoded in UTF-16, which a compiler does not read: save it in "
-                    "UTF-8. (In Windows' PowerShell, > writes UTF-16.)"};
+    if (const std::string encoding = wide_encoding(text); !encoding.empty())
+        return {.words = "Your file is encoded in " + encoding +
+                         ", which a compiler does not read: save it in UTF-8. (In Windows' "
+                         "PowerShell, > writes UTF-16.)"};
     const TemporaryFolder scratch(workshop.folder);
     // The file has the student's name for it, relative to the compiler's folder, and an age of its
     // own, so that messages, __FILE__ and __TIMESTAMP__ are the same in every run.
@@ -427,6 +438,7 @@ Build link_worker(const BuildDirectory& workshop, int stage,
     const std::vector<fs::path> parts = parts_of(workshop, stage, objects);
     Command link;
     append(link, options, "compiler");
+    append(link, options, "driver");
     append(link, options, "link");
     link.insert(link.end(), parts.begin(), parts.end());
     link.insert(link.end(), {"-o", made});
