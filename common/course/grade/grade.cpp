@@ -41,8 +41,7 @@ std::atomic<bool> stop = false;
 
 void check_seal() {
     const std::vector<Layer> all = layers();
-    for (const Layer& layer : all)
-        std::fprintf(stderr, "%s %s\n", layer.holds ? "✓" : "✗", tr_text(layer.name).c_str());
+    std::fputs(text_of(all).c_str(), stderr);
     if (!hold(all))
         throw ProgramError(
             "error: submissions are not run without these. docs/reference/grading.md\n");
