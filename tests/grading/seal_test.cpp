@@ -16,15 +16,15 @@
 using namespace rt;
 
 TEST_CASE("the seal's required layers work on this machine") {
-    const auto layers = grade::layers();
-    INFO(grade::text_of(layers));
-    CHECK(grade::hold(layers));
+    for (const grade::Layer& layer : grade::layers()) {
+        INFO(layer.name);
+        CHECK((layer.holds || !layer.needed));
+    }
 }
 
 TEST_CASE("a missing required layer is reported, and nothing is graded") {
     CHECK(grade::hold({{"one", true, true}, {"two", false, false}}));
     CHECK_FALSE(grade::hold({{"one", false, true}, {"two", true, false}}));
-    CHECK(grade::text_of({{"one", false, true}, {"two", true, false}}) == "✗ one\n✓ two\n");
 }
 
 TEST_CASE("a worker computes, has threads, and can end as it likes") {

@@ -41,7 +41,8 @@ std::atomic<bool> stop = false;
 
 void check_seal() {
     const std::vector<Layer> all = layers();
-    std::fputs(text_of(all).c_str(), stderr);
+    for (const Layer& layer : all)
+        std::fprintf(stderr, "%s %s\n", layer.holds ? "✓" : "✗", tr_text(layer.name).c_str());
     if (!hold(all))
         throw ProgramError(
             "error: submissions are not run without these. docs/reference/grading.md\n");

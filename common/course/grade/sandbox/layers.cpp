@@ -3,7 +3,6 @@
 #include "common/course/grade/sandbox/landlock.hpp"
 #include "common/course/grade/sandbox/seal.hpp"
 #include "common/course/grade/sandbox/seccomp_filter.hpp"
-#include "common/system/translation.hpp"
 
 #include <fcntl.h>
 #include <linux/capability.h>
@@ -118,13 +117,6 @@ std::vector<Layer> layers() {
 bool hold(const std::vector<Layer>& layers) {
     return std::all_of(layers.begin(), layers.end(),
                        [](const Layer& layer) { return layer.holds || !layer.needed; });
-}
-
-std::string text_of(const std::vector<Layer>& layers) {
-    std::string text;
-    for (const Layer& layer : layers)
-        text += (layer.holds ? "✓ " : "✗ ") + tr_text(layer.name) + "\n";
-    return text;
 }
 
 }  // namespace rt::grade

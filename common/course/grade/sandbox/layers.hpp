@@ -18,7 +18,4 @@ struct Layer {
 /// True if all needed layers work.
 [[nodiscard]] bool hold(const std::vector<Layer>& layers);
 
-/// One line per layer, in the terminal's language: "✓ system calls are filtered (seccomp)".
-[[nodiscard]] std::string text_of(const std::vector<Layer>& layers);
-
 }  // namespace rt::grade
