@@ -137,7 +137,8 @@ private:
     }
 
     /// The triangles around the ray, or with it on an edge.
-    [[nodiscard, gnu::always_inline]] static auto surrounds(const std::array<RealN, 3>& areas) {
+    [[nodiscard, gnu::always_inline]] static MaskOf<Real, real_count> surrounds(
+        const std::array<RealN, 3>& areas) {
         const auto& [alpha, beta, gamma] = areas;
         const RealN zero = all(0);
         return (zero <= min(min(alpha, beta), gamma)) | (max(max(alpha, beta), gamma) <= zero);
