@@ -154,6 +154,7 @@ TEST_CASE("advice: what a scene has decides the rows, which are those of the pag
           "edges, a lamp with a size, mirrors, surfaces in one place, many shapes, a mesh");
     scene.spheres.push_back({.shape = {.center = {0, 0, 0}, .radius = Real(1e-3)}, .material = {}});
     scene.cameras[0].position = {0, 0, Real(1e4)};
+    scene.resolution = {.width = 16, .height = 12};  // of which one pixel in a thousand is narrow
     const std::vector<Advice> rows = advice(scene);
     CHECK(rows.size() == 8);
 
