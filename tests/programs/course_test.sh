@@ -242,16 +242,21 @@ says "asked:    tests/suites/step03_sphere_test.cpp:"
 ! sed -n '/paste: /,/asked: /p' out | LC_ALL=C.UTF-8 grep -E '^.{121}' || fail "what to paste fits in 120 columns"
 in_french 1 check 3
 says "Seule la plus petite racine est testée."
-# The picture is right: the suite's failing call is explained.
+# The sphere around the eye.
 course 0 explain 3
-says "The picture cannot show it. The first failing case of the last check: a ray from inside"
 says "mine          → missed according to intersect"
-says "reference     → hit at t = 1"
+says "reference     → hit at t = 23.7517"
+# The picture is right: the suite's failing call is explained.
+mistaken step03_sphere absolute_epsilon $mine
+course 1 check 3
+course 0 explain 3
+says "The picture cannot show it. The first failing case of the last check: very small spheres"
 mistaken step03_sphere subtracts_r_squared $mine
 in_french 1 check 3
-says "Votre discriminant soustrait r²."
+says "intersect répond std::nullopt à tous les appels essayés"
 course 1 check 3
-says "A known mistake answers so: Your discriminant subtracts r²."
+says "intersect answers std::nullopt to every call that was tried"
+says_not "Your discriminant subtracts"
 course 1 compare 3
 says "pixels differ"
 [ -s renders/step03_sphere_compare.png ] || fail "both pictures and their difference"
