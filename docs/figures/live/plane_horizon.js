@@ -59,7 +59,7 @@ define("plane_horizon", class extends RayFigure {
     sketch.write([636, 16], "a column of pixels", color.ink, "end");
     sketch.write([564, 34], "exact", color.ink, "end");
     sketch.write([577, 34], "with ε");
-    sketch.write([611, 258], `ε = ${epsilon.toExponential()}`, color.ink, "end");
+    sketch.write([611, 258], `ε = ${epsilon}`, color.ink, "end");
     [["sky", color.gray, 62], ["lost", color.purple, 88], ["ground", color.ink, 150]].forEach(([text, fill, y]) => sketch.write([522, y], text, fill, "end"));
     if (this.together) sketch.label([0, origin[1], 0], [135, -122], "⟨$d_r$, $n$⟩ > 0: hit behind, where $t$ < 0", color.ink, "start");
     sketch.label([4.6, origin[1], 0], [-30, -6], "⟨$d_r$, $n$⟩ = 0: parallel, the horizon", color.gray, "end");

@@ -79,7 +79,7 @@ define("shadow_offset", class extends Figure {
       }
       sketch.write([325, 24], `size ${named(size)}`, color.ink, "middle");
     }
-    sketch.write([320, 440], "purple: wrong, in its own shadow or without the ball's", color.purple, "middle");
+    sketch.write([320, 440], "purple: wrongly lit, or wrongly in its own shadow", color.purple, "middle");
     return rows;
   }
 });

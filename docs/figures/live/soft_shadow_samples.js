@@ -45,12 +45,12 @@ define("soft_shadow_samples", class extends Figure {
       const rays = { sent: count, reached };
       const share = await this.ask(11, "visibility", rays);
       sketch.label([shift, 0, 0], [0, -110], kind);
-      sketch.label([shift, 0, 0], [22, 112], `share of ${count} rays: ${short(share)}`);
+      sketch.label([shift, 0, 0], [22, 112], `visible share by ${count} rays: ${short(share)}`);
       sketch.label([shift, 0, 0], [22, 132], `typical error: ${errors[i].toFixed(3)}`, color.purple);
       rows.push([`${kind}: visibility`, share], [`${kind}: error (root mean square of 64 seeds)`, errors[i]]);
       if (!shift) rows.push(["well spread: visibility_error, an estimate", await this.ask(11, "visibility_error", rays)]);
     }
-    sketch.write([256, 236], "one a box", color.ink, "middle");
+    sketch.write([256, 236], "one in each box", color.ink, "middle");
     sketch.write([320, 318], "dot: the ray reaches the light; cross: the ball is in the way", color.gray, "middle");
     return rows;
   }
