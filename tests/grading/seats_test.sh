@@ -15,12 +15,12 @@ code_of() {
     objcopy -O binary -j .text "$1" "$folder/text" && od -An -v -tx1 "$folder/text" | tr -d ' \n'
 }
 
-# The start of each function of an object: of the project's, and not of those that are too short to
-# be recognized.
+# The start of each function of an object: of the project's, not of those that are too short to be
+# recognized, nor of what cleans up after an exception and is alike in many.
 starts_of() {
     code_of "$1" > "$folder/code"
     nm -P -t d --defined-only "$1" |
-        awk '$1 ~ /^_ZNK?2rt/ && $2 ~ /^[Tt]$/ && $4 >= 96 { print 2 * $3 + 1 }' |
+        awk '$1 ~ /^_ZNK?2rt/ && $1 !~ /\.cold/ && $2 ~ /^[Tt]$/ && $4 >= 96 { print 2 * $3 + 1 }' |
         while read -r at; do cut -c "$at-$((at + 127))" "$folder/code"; done
 }
 
