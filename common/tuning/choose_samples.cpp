@@ -13,8 +13,8 @@ namespace rt {
 
 namespace {
 
-constexpr double least_part = 0.35;   ///< of the tolerance
-constexpr std::size_t enough = 1000;  ///< pixels
+constexpr double least_part = 0.35;          ///< of the tolerance
+constexpr std::size_t enough_pixels = 1000;  ///< pixels
 
 /// The number of agreeing rays with which the search starts.
 int usual_agree(double allowed) {
@@ -62,7 +62,7 @@ Trial keep_tolerance(TrialRunner& runner, const Trials& trials, const RenderSett
         return {.settings = tries.back(), .error = allowed};
     const double share = double(penumbrae.size()) / double(all.size());
     const double few = std::min(few_in_penumbrae, few_pixels / std::max(share, few_pixels));
-    const std::vector<Pixel> pixels = some_of(penumbrae, enough);
+    const std::vector<Pixel> pixels = some_of(penumbrae, enough_pixels);
     int round = 3;
     const TrialSample right = runner.render_pixels(trials, reference, pixels, round);
     Trial trial;
@@ -85,7 +85,8 @@ Trial keep_tolerance(TrialRunner& runner, const Trials& trials, const RenderSett
 QualityLadder measure_ladder(TrialRunner& runner, const Trials& trials,
                              const RenderSettings& settings) {
     const std::vector<Pixel> scattered = runner.spread().pixels();
-    const std::vector<Pixel> pixels = some_of(scattered, std::max(enough, scattered.size() / 8));
+    const std::vector<Pixel> pixels =
+        some_of(scattered, std::max(enough_pixels, scattered.size() / 8));
     const std::vector<RenderSettings> candidates = sampling_candidates(settings);
     const double time = *runner.aim().time;
     QualityLadder ladder;
