@@ -1,4 +1,4 @@
-// What a program makes of a scene: a picture, an animation, and the log and the drawing of a pixel.
+// Makes a picture or an animation of a scene, or the log or the drawing of one of its pixels.
 #pragma once
 
 #include "common/image/pixel.hpp"

@@ -94,7 +94,7 @@ private:
         for (std::size_t i = 0; i < points.size(); ++i) {
             const Place point = place(points[i]);
             if (point.scale > 0) seen.emplace_back(point.x, point.y);
-            // Of a line to a point behind the camera, the part before it.
+            // A line to a point behind the camera is cut in front of it.
             for (std::size_t k = 0; k < points.size() && point.scale < 0; ++k) {
                 if (points.size() > few && k != (i ^ 1)) continue;
                 const Place before = place(points[k]);

@@ -36,7 +36,7 @@ TEST_CASE("the case that the author names for the likest mistake comes first") {
     const CaseResult extreme = failed("extreme", "near");
     CHECK(most_telling({extreme, plain}, "near", {}, of_two) == 1);
     CHECK(most_telling({plain, extreme}, "near", {"small"}, of_two) == 1);
-    // Of cases that are nobody's, the one that fewer known mistakes fail.
+    // If no mistake is known by these cases, the one that fewer mistakes fail comes first.
     KnownCases unnamed = of_two;
     for (KnownFailure& each : unnamed.mistakes) each.caught_by.clear();
     CHECK(most_telling({extreme, plain}, "near", {}, unnamed) == 1);

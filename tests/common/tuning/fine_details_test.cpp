@@ -180,7 +180,7 @@ TEST_CASE("the pixels of shapes narrower than a pixel are known before any ray i
 }
 
 TEST_CASE("gaps narrower than a pixel between wide shapes are known before any ray is traced") {
-    // Of a gap along row 36, whose middle is in the middle of the row.
+    // The gap is along row 36, and its middle is the middle of the row.
     const Real middle = -pixel_side / 2;
     const Real side = 4;
     const auto add_square = [side](Scene& scene, Real x, Real y, Real z = 0) {

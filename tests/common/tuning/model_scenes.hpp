@@ -230,7 +230,7 @@ private:
         return 100 + error_of(settings) * std::normal_distribution<double>()(random);
     }
 
-    /// Of each reflection the mirror's part of the one before.
+    /// The sum of all reflections, each of which is the mirror's part of the one before.
     [[nodiscard]] double reflected_light(int depth) const {
         double sum = 0;
         double part = 100;

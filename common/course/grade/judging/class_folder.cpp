@@ -109,7 +109,7 @@ private:
         places_.back().students.insert(key);
     }
 
-    /// Of a name by Moodle or Canvas.
+    /// Returns the parts of a name that Moodle or Canvas wrote; nothing for any other name.
     [[nodiscard]] std::optional<Labeled> label_of(const fs::path& place) const {
         return as_named_.contains(place) ? std::nullopt : label(last_name(place));
     }

@@ -345,8 +345,8 @@ ProcessResult run_sealed(const BuildDirectory& workshop, const fs::path& writabl
     if (ending.processor_seconds < limits.processor_seconds / 2.0) {
         const std::string tool = fs::path(command.at(0)).filename().string();
         if (by_a_limit) throw ProgramError(tool + ended_by_the_clock(ending));
-        // Of the sandbox's limits only that of processor time sends SIGKILL; the system does when
-        // its memory is full. What a tool prints is not evidence: a submission can choose it.
+        // The sandbox sends SIGKILL only at the limit of processor time, so here the system sent
+        // it, because its memory is full. A submission can choose what a tool prints.
         if (ending.status == 128 + SIGKILL) throw ProgramError(tool + short_of_memory);
     }
     if (ending.status != 0) check_space(writable);

@@ -136,7 +136,8 @@ void compare_all(const std::vector<Text>& texts, GradedFile graded, Pairs& pairs
     }
 }
 
-/// Of the files that are graded: the text of a refused copy is not stored.
+/// Returns the graded main.cpp files that are like the project's. A refused copy is not among them,
+/// because its text is not stored.
 std::vector<LikeMain> like_main(const fs::path& results, const fs::path& project,
                                 const std::vector<Mark>& marks, int stage) {
     const fs::path folder = project / "steps" / name_of(stage);
