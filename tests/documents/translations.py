@@ -1,8 +1,8 @@
 """The translations in lang/ against their sources: translations.py PROJECT
 
 Each entry has the formulas, code, links and numbers of its English text, a word of docs/glossary.md for
-each of its terms, and none of the words that lang/LANGUAGE/words.txt refuses. In a language that has
-that file at most 2 % of the entries are fuzzy or not translated. Prints what is wrong.
+each of its terms, and none of the words that lang/LANGUAGE/words.txt refuses. It cites what is printed as the
+catalogues print it. In a language that has that file at most 2 % of the entries are fuzzy or not translated. Prints what is wrong.
 """
 
 import html
@@ -85,8 +85,31 @@ def check_entry(where, english, own, refused):
             errors.append(f"{where}: {found[0]!r}: {instead}: {plain[max(found.start() - 30, 0):found.end() + 10]!r}")
 
 
+def label(sentence):
+    """What a printed line begins with, before a colon or a value: "got:  {answer}" is known as "got"."""
+    return re.split(r"[:{\u00a0]", sentence)[0].strip(" ().").lower()
+
+
+def printed_labels(language):
+    """How lines that are printed begin, in English, and in the language."""
+    labels = {}
+    for name in ["course", "program", "view"]:
+        for english, own in pages.entries(language, name).items():
+            labels.setdefault(label(english), set()).add(label(own))
+    return labels
+
+
+def check_citations(where, own, labels):
+    """A word in italics, in bold or in « » is not what the program prints in English."""
+    for cited in re.findall(r"\*([^*\n]+)\*|«\u00a0([^»\n]+)\u00a0»", own):
+        printed = labels.get(label("".join(cited)))
+        if printed and label("".join(cited)) not in printed:
+            errors.append(f"{where}: {''.join(cited)!r} is printed as {sorted(printed)}: {own[:60]!r}")
+
+
 def check_language(language):
     refused = refused_words(language)
+    labels = printed_labels(language)
     terms = glossary() if language == "fr" else {}
     total = missing = 0
     for catalogue in sorted((pages.lang / language).rglob("*.po")):
@@ -102,6 +125,7 @@ def check_language(language):
             else:
                 check_entry(where, english, own, refused)
                 check_terms(where, english, own, terms)
+                check_citations(where, own, labels)
     print(f"{language}: {missing} of {total} entries are not translated")
     if refused and missing > most_missing * total:
         errors.append(f"lang/{language}: {missing} of {total} entries are fuzzy or not translated: at most {most_missing:.0%}")

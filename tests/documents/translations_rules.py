@@ -12,8 +12,8 @@ import translations
 from translations import pages, project
 
 right = [
-    ("The ray hits: $t > 0$, see `hit` in [errata 5](errata.md#erratum-5), 0.5 % of 1,000 rays.",
-     "Le rayon intersecte : $t > 0$, voir `hit` dans [errata 5](errata.md#erratum-5), 0,5 % de 1 000 rayons."),
+    ("The ray hits: $t > 0$, see `hit` in [errata 5](errata.md#erratum-5), 0.5 % of 10,000 rays.",
+     "Le rayon intersecte : $t > 0$, voir `hit` dans [errata 5](errata.md#erratum-5), 0,5 % de 10 000 rayons."),
     ("intersect: a box is cut at its center; lamps touch a wall. *Ray Tracing: The Next Week*",
      "intersect: une boîte est coupée au centre ; des lampes touchent un mur. *Ray Tracing: The Next Week*"),
     ("Your file is yours.", "Vous gardez votre fichier."),
@@ -38,6 +38,11 @@ wrong = [
     ("no-break", "Why?", "Pourquoi ?"),
     ("no-break", "a “word”", "un « mot »"),
     ("no-break", "5 %", "5 %"),
+    ("strictement", "$t$ is positive.", "$t$ est positif."),
+    ("norme", "a direction of any length", "une direction de longueur quelconque"),
+    ("orthogonal", "X is at right angles to Z.", "X est perpendiculaire à Z."),
+    ("thread", "two threads", "deux fils d'exécution"),
+    ("four digits", "1,024 rays", "1 024 rayons"),
 ]
 
 
@@ -57,6 +62,12 @@ failed = [f"refused: {own}: {said(english, own)}" for english, own in right if s
 failed += [f"not refused for {why}: {own}" for why, english, own in wrong
            if not any(re.search(why, error) for error in said(english, own))]
 
+labels = {"got": {"obtenu"}}
+for own, is_right in [("*obtenu* est votre résultat", True), ("**got** est votre résultat", False), ("« got »", False)]:
+    translations.errors.clear()
+    translations.check_citations("", own, labels)
+    if bool(translations.errors) == is_right:
+        failed.append(f"{own} is {'right' if is_right else 'not what is printed'}")
 if said_of_terms("An area light has soft shadows.", "Une source étendue fait des ombres douces."):
     failed.append("the glossary's words are right")
 if len(said_of_terms("An area light has soft shadows.", "Une lampe large fait des bords flous.")) != 2:
