@@ -102,6 +102,7 @@ public:
         frame(middle, reach);
     }
 
+    /// Labels are lines of their own, which are translated where the drawing is shown.
     [[nodiscard]] std::string svg() {
         std::string text = formatted(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" "
@@ -117,9 +118,9 @@ public:
         text += mark(ray_.origin, "#c08000", "origin", -10);
         if (expected_) text += mark(at(ray_, *expected_), "#1a7f37", "expected", -10);
         if (got_) text += mark(at(ray_, *got_), "#cf222e", "yours", 22);
-        text += formatted("<text x=\"10\" y=\"%.0f\" fill=\"#1a7f37\">expected: %s</text>\n",
+        text += formatted("<text x=\"10\" y=\"%.0f\" fill=\"#1a7f37\">\nexpected: %s\n</text>\n",
                           height - 28, expected_text_.c_str());
-        text += formatted("<text x=\"10\" y=\"%.0f\" fill=\"#cf222e\">yours: %s</text>\n",
+        text += formatted("<text x=\"10\" y=\"%.0f\" fill=\"#cf222e\">\nyours: %s\n</text>\n",
                           height - 10, got_text_.c_str());
         return text + "</svg>\n";
     }
@@ -132,10 +133,8 @@ private:
         return Real(t);
     }
 
-    /// For a failure, the part before the colon, which is a fixed text: the rest is the student's.
     static std::string hit_text(const Answer& answer) {
-        if (!answer.value)
-            return "no answer: it " + answer.failure.substr(0, answer.failure.find(':'));
+        if (!answer.value) return "no answer";
         if (answer.value->parts.empty()) return "no hit";
         return formatted("t = %.6g", answer.value->parts.front().number);
     }
@@ -210,7 +209,7 @@ private:
                                    double below) const {
         return formatted(
             "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"%s\"/>\n"
-            "<text x=\"%.1f\" y=\"%.1f\" fill=\"%s\" text-anchor=\"middle\">%s</text>\n",
+            "<text x=\"%.1f\" y=\"%.1f\" fill=\"%s\" text-anchor=\"middle\">\n%s\n</text>\n",
             view_.x(p), view_.y(p), color, view_.x(p), view_.y(p) + below, color, word);
     }
 

@@ -48,8 +48,8 @@ void Commands::add_author_commands() {
         ->add_option_function<std::string>(
             "--stages",
             [this](const std::string& stages) { select_stages(words_.selection, stages); },
-            to_translate("those whose pages, hints and starters students get: 1-8"))
-        ->type_name("A-B");
+            to_translate("those whose pages, hints and starters students get: 1-5,9"))
+        ->type_name("STAGES");
     handout_command->add_option("--hints", words_.selection.hints, "levels of hints, 0 to 3")
         ->check(CLI::Range(0, hint_levels).description(""))
         ->type_name("LEVELS");

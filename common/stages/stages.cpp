@@ -1,5 +1,8 @@
 #include "common/stages/stages.hpp"
 
+#include "common/stages/stage_list.hpp"
+
+#include <algorithm>
 #include <charconv>
 
 namespace rt {
@@ -21,6 +24,22 @@ std::optional<int> find_stage(std::string_view text) {
         if (text == stage_name(stage) || text == topic_of(stage)) return stage;
     if (text.substr(0, 4) == "step") text.remove_prefix(4);
     return number(text);
+}
+
+std::optional<std::set<int>> find_stages(std::string_view text) {
+    std::set<int> stages;
+    for (;;) {
+        const std::size_t comma = std::min(text.find(','), text.size());
+        const std::string_view part = text.substr(0, comma);
+        const std::size_t dash = part.find('-');
+        const std::optional<int> first = find_stage(part.substr(0, dash));
+        const std::optional<int> last =
+            dash == std::string_view::npos ? first : find_stage(part.substr(dash + 1));
+        if (!first || !last || *first > *last) return std::nullopt;
+        for (int stage = *first; stage <= *last; ++stage) stages.insert(stage);
+        if (comma == text.size()) return stages;
+        text.remove_prefix(comma + 1);
+    }
 }
 
 }  // namespace rt

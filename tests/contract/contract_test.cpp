@@ -332,7 +332,7 @@ TEST_CASE("a slice without an answer, or with one that is not a number, has a fi
     Difference difference{.call = call, .expected = reference(call)};
     difference.got = {.failure = "threw an exception: <b>"};
     const std::string threw = slice(difference, reference);
-    CHECK(threw.find(">yours: no answer: it threw an exception<") != std::string::npos);
+    CHECK(threw.find("\nyours: no answer\n") != std::string::npos);
     CHECK(threw.find("no hit") == std::string::npos);
     difference.got = difference.expected;
     difference.got.value->parts.front().number = std::nan("");

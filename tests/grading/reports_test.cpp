@@ -8,6 +8,7 @@
 #include "common/stages/stages.hpp"
 #include "common/system/files.hpp"
 #include "common/system/readable.hpp"
+#include "common/system/translation.hpp"
 
 #include "tests/grading/reports_class.hpp"
 #include "tests/kit/catch.hpp"
@@ -224,6 +225,17 @@ TEST_CASE("a feedback page shows the failures, and folds away the passing stages
     CHECK(has(other, "<p>3 of 6 points</p>"));
     CHECK(has(other, "<p>No file was submitted.</p>\n<pre class=\"wrong\">&lt;none&gt;</pre>"));
     CHECK(has(other, "<details><summary>Your picture is right</summary>"));
+}
+
+TEST_CASE("a drawing's labels are in the language of the feedback") {
+    const ClassOfTwo two;
+    write_text(student_folder(two.folder, odd) / "step04 slice.svg", "<text>\nno hit\n</text>\n");
+    write_text(two.folder / "xx.po", "msgid \"no hit\"\nmsgstr \"rien\"\n");
+    read_translations(two.folder / "xx.po");
+    write_feedback(two.folder, two.marks);
+    forget_translations();
+    CHECK(has(read_text(student_folder(two.folder, odd) / "feedback.html"),
+              data_address("image/svg+xml", "<text>\nrien\n</text>\n")));
 }
 
 TEST_CASE("a submitted starter has no points, and the feedback gives the reason") {

@@ -68,7 +68,10 @@ Diagnosis diagnosis_of(int stage, const std::filesystem::path& report,
     const ProcessResult ending = diagnosed(command);
     if (ending.out_of_time || ending.status != 1) return {};
     Diagnosis diagnosis = read_diagnosis(ending.output);
-    if (std::filesystem::exists(drawing)) diagnosis.drawing = slice;
+    if (std::filesystem::exists(drawing)) {
+        write_text(drawing, tr_lines(read_text(drawing)));
+        diagnosis.drawing = slice;
+    }
     return diagnosis;
 }
 

@@ -26,7 +26,7 @@ dpkg-query -W $packages > /dev/null 2>&1 || {
     apt-get update
     apt-get install -y --no-install-recommends $packages
 }
-# Gradescope's standard image, Ubuntu 22.04, has CMake 3.22 and g++ 11: both are too old.
+# Gradescope's standard image, Ubuntu 22.04, has CMake 3.22 and g++ 11; grading is tested with newer ones.
 is_new() {
     version=$(cmake --version | sed -n '1s/.*version //p')
     [ "$(printf '%s\n' 3.25 "$version" | sort -V | head -n 1)" = 3.25 ]

@@ -3,7 +3,7 @@
 #include "common/course/grade/grade.hpp"
 #include "common/course/grade/reports/reports.hpp"
 
-#include "common/stages/stages.hpp"
+#include "common/stages/stage_list.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
 #include "common/system/readable.hpp"
@@ -27,13 +27,13 @@ namespace {
 namespace fs = std::filesystem;
 using rt::grade::Order;
 
-/// "5" and "triangle", each a stage.
+/// "1-5" and "triangle", each stages.
 std::set<int> parse_stages(const std::vector<std::string>& words) {
     std::set<int> stages;
     for (const std::string& word : words) {
-        const std::optional<int> stage = rt::find_stage(word);
-        if (!stage) throw rt::InputError({}, "no stage \"" + word + "\"");
-        stages.insert(*stage);
+        const auto found = rt::find_stages(word);
+        if (!found) throw rt::InputError({}, "no stage \"" + word + "\"");
+        stages.insert(found->begin(), found->end());
     }
     return stages;
 }
@@ -79,7 +79,7 @@ std::optional<Command> parse(int count, char** words) {
                    "folder of the results; an interrupted run is continued");
     app.add_option("--seed-file", order.seed_file,
                    "file with 16 hexadecimal digits: the seed of the inputs; else it is random");
-    app.add_option("--stages", command.stages, "5,triangle: only these stages")->delimiter(',');
+    app.add_option("--stages", command.stages, "1-5,mirror: only these stages")->delimiter(',');
     app.add_option("--jobs", order.jobs, "number of submissions graded at a time")
         ->check(CLI::Range(1, 256));
     app.add_option("--part", command.part,

@@ -2,6 +2,7 @@
 
 #include "common/course/build/project.hpp"
 #include "common/course/exercise/hints.hpp"
+#include "common/stages/stage_list.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
@@ -43,18 +44,11 @@ std::string words_of(const std::string& text) {
 }  // namespace
 
 void select_stages(Selection& selection, const std::string& stages) {
-    std::smatch match;
-    if (std::regex_match(stages, match, std::regex(R"((\d{1,2})(?:-(\d{1,2}))?)"))) {
-        const int first = std::stoi(match[1]);
-        const int last = match[2].matched ? std::stoi(match[2]) : first;
-        if (first >= 1 && first <= last && last <= int(stage_names.size())) {
-            selection.first_stage = first;
-            selection.last_stage = last;
-            return;
-        }
-    }
-    throw InputError(
-        {}, "handout: --stages: expected two stages in order, such as 1-8, not \"" + stages + "\"");
+    const auto found = find_stages(stages);
+    if (!found)
+        throw InputError(
+            {}, "handout: --stages: expected stages, such as 1-5,9, not \"" + stages + "\"");
+    selection.stages = *found;
 }
 
 void select_language(Selection& selection, const std::string& language) {
@@ -79,7 +73,7 @@ bool is_selected(const Selection& selection, const std::string& path) {
         R"((?:docs/step(\d\d)_\w+\.md|steps/step(\d\d)_\w+/(?:starter/.*|hints\.md)))");
     if (!std::regex_match(path, stage, of_stage)) return true;
     const int number = std::stoi(stage[1].matched ? stage[1] : stage[2]);
-    return number >= selection.first_stage && number <= selection.last_stage;
+    return selection.stages.empty() || selection.stages.contains(number);
 }
 
 std::string selected_text(const Selection& selection, const std::string& path,

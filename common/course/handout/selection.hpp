@@ -1,22 +1,20 @@
 // What a lecturer leaves out of a hand-out.
 #pragma once
 
-#include "common/stages/stages.hpp"
-
+#include <set>
 #include <string>
 
 namespace rt {
 
 /// How much of the help, and which of the stages, students get.
 struct Selection {
-    int first_stage = 1;
-    int last_stage = int(stage_names.size());
+    std::set<int> stages;  ///< empty: all
     int hints = 3;         ///< levels of hints: 0 to 3
     bool answers = true;   ///< to the questions of the pages
     std::string language;  ///< of the pages and of ./course: "fr"; empty for English pages
 };
 
-/// Reads "1-8" or "3" into the selection. Throws InputError if these are not stages, in order.
+/// Reads "1-5,9" into the selection. Throws InputError if these are no stages.
 void select_stages(Selection& selection, const std::string& stages);
 
 /// Sets the language. Throws InputError if the project has no pages in it, or without po4a.

@@ -29,10 +29,11 @@ std::string drawing(const fs::path& file, const std::string& caption) {
     std::error_code none;
     std::string image;
     if (fs::is_regular_file(fs::symlink_status(file, none)))
-        image = "<img src=\"" +
-                data_address(file.extension() == ".svg" ? "image/svg+xml" : "image/png",
-                             read_text(file)) +
-                "\" alt=\"" + caption + "\"/>\n";
+        image =
+            "<img src=\"" +
+            (file.extension() == ".svg" ? data_address("image/svg+xml", tr_lines(read_text(file)))
+                                        : data_address("image/png", read_text(file))) +
+            "\" alt=\"" + caption + "\"/>\n";
     return "<figure>" + image + "<figcaption>" + caption + "</figcaption></figure>\n";
 }
 
