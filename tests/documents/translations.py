@@ -1,8 +1,9 @@
 """The translations in lang/ against their sources: translations.py PROJECT
 
 Each entry has the formulas, code, links and numbers of its English text, a word of docs/glossary.md for
-each of its terms, and none of the words that lang/LANGUAGE/words.txt refuses. It cites what is printed as the
-catalogues print it. In a language that has that file at most 2 % of the entries are fuzzy or not translated. Prints what is wrong.
+each of its terms, and none of the words that lang/LANGUAGE/words.txt refuses. What it cites is as the
+program prints it in that language. In a language that has words.txt at most 2 % of the entries are fuzzy
+or not translated. Prints what is wrong.
 """
 
 import html
