@@ -168,10 +168,10 @@ def input_rounding():
 def options_of(row, rows):
     """As a user types them; those of which the scene has no use are left out."""
     words = []
+    if row["samples"] not in ("0", "1"):
+        words.append(f"--samples {row['samples']}")
     if row["pixel_error"] != "0":
         words.append(f"--pixel-error {row['pixel_error']}")
-    elif row["samples"] != "1":
-        words.append(f"--samples {row['samples']}")
     if len(different(rows, "shadow_samples")) > 1:
         if row["shadow_samples"] != "0":
             words.append(f"--shadow-samples {row['shadow_samples']}")
@@ -260,18 +260,26 @@ def pipeline():
     rows = read("analytic")
 
     def level(picture, at="1"):
-        return two_digits(float(where(rows, picture=picture, rays=at)[0]["error"]))
-    lines = [["the edge's levels, rounded to 8 bits", level("8 bits")],
+        value = float(where(rows, picture=picture, rays=at)[0]["error"])
+        return two_digits(value) if value >= 1e-4 else power(value)
+    lines = [["the edge's levels, rounded to 8 bits", level("8 bits"), "16 bits: twice the bytes"],
              ["its rays encoded for a screen before their mean, not after it",
-              level("mean of encoded")],
+              level("mean of encoded"), "none: fewer numbers are encoded"],
              ["four times as bright: clamped after the mean of the rays, not before it",
-              level("clamped after")]]
+              level("clamped after"), "none"]]
     for name in ("box", "tent", "Gauss"):
         lines.append([f"pixel filter {name}: black and white stripes of 4 pixels, which should keep"
-                      " 255, keep", level(f"filter {name}", "4")])
+                      " 255, keep", level(f"filter {name}", "4"), ""])
         lines.append([f"pixel filter {name}: stripes of 1.25 pixels, which should vanish, keep",
-                      level(f"filter {name}", "1.25")])
-    return table(["step", "levels"], lines)
+                      level(f"filter {name}", "1.25"),
+                      "none" if name == "box" else "a ray counts for several pixels"])
+    for precision, cost in (("float", "`double`: up to 1.1 times the time"), ("double", "")):
+        for place in ("inside", "silhouette"):
+            lines.append([f"Phong's terms of a sphere in `{precision}`, {place}",
+                          level(f"sphere's {place} in {precision}"), cost])
+    lines.append(["two facing mirrors of 0.8: depth 8 instead of endless",
+                  level("chain of mirrors", "8"), "`--depth 24`: hardly any"])
+    return table(["step", "levels", "what it costs"], lines)
 
 
 def formats():

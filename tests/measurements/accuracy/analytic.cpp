@@ -7,6 +7,8 @@
 #include "steps/step05_triangle/triangle.hpp"
 #include "steps/step11_soft_shadows/soft_shadows.hpp"
 
+#include "tests/measurements/accuracy/shaded_sphere.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -122,6 +124,11 @@ void tell_filters(const char* name, double (*kept)(double frequency)) {
         std::printf("filter %s,,%.4g,%.4g\n", name, period, 255 * std::abs(kept(1 / period)));
 }
 
+void tell_shading(const char* precision, const ShadedSphere& off) {
+    std::printf("sphere's inside in %s,,1,%.4g\nsphere's silhouette in %s,,1,%.4g\n", precision,
+                off.inside, precision, off.silhouette);
+}
+
 double sinc(double x) {
     return std::sin(pi * x) / (pi * x);
 }
@@ -149,4 +156,7 @@ int main() {
     tell_filters("box", [](double f) { return sinc(f); });
     tell_filters("tent", [](double f) { return sinc(f) * sinc(f); });
     tell_filters("Gauss", [](double f) { return std::exp(-pi * pi * f * f / 2); });
+    tell_shading("float", f32::shaded_sphere());
+    tell_shading("double", f64::shaded_sphere());
+    std::printf("chain of mirrors,,8,%.4g\n", 255 * std::pow(0.8, 9));
 }
