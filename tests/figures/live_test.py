@@ -228,11 +228,11 @@ def check_own_answers(browser, origin):
 
 
 # What the figure says as loaded, by hand: 1 is 1 / 0.35 steps of 0.35 above the ground; the areas of (1.1, 0.72) against that of
-# abc; 0.6¹³ < 1/512; √(p (1 − p) / 64) with p = 0.668 is 0.059.
+# abc; 0.6¹³ < 1/512; p = 0.6678 of the light is seen, by integration; √(p (1 − p) / 64) is 0.059.
 says = {"sphere_roots": ["0 < t1 < t2: from outside", "t1", "t2"], "cylinder_both_roots": ["B", "zp > h / 2 at t1: t2 is hit"],
         "plane_horizon": ["t = 2.857", "t = −1", "lost"], "cone_side": ["D", "along the side a = 0: one root"], "box_slabs": ["A", "they overlap: in the box"],
         "shadow_offset": ["wrong: no shadow", "wrong: acne"], "triangle_areas": ["α = −0.46", "|α| + |β| + |γ| = 1.92"], "square_frame": ["x = 0.5", "u = 0.75"],
-        "phong_vectors": ["N", "L", "R", "V", "θ", "α"], "mirror_facing": ["0.0013 < 1/512"], "soft_shadow_samples": [re.compile("typical error: 0.0(5[3-9]|6[0-5])$")],
+        "phong_vectors": ["N", "L", "R", "V", "θ", "α"], "mirror_facing": ["0.0013 < 1/512"], "soft_shadow_samples": ["true share, by 8192 rays: 0.668", re.compile("typical error: 0.0(5[3-9]|6[0-5])$")],
         "unnormalized_x": ["as printed: 0.5"], "screen_side_view": ["tan(FOV/2) = 0.5774"]}
 
 # What it says when a case is chosen: 1.9 = 0.7 t ± √(1 − 0.5²); the rim is passed at x = −1, and x = 1 is at t = 3 / 0.5; the box is

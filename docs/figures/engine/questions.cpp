@@ -134,7 +134,7 @@ std::vector<std::uint8_t> lit_ball(const Light& light, const Ambient& ambient,
     return pixels;
 }
 
-Vec2 sampling_errors(const Light& light, const Sphere& ball, std::uint32_t count) {
+Vec3 share_and_errors(const Light& light, const Sphere& ball, std::uint32_t count) {
     const Vec3 up(0, 1, 0);
     const ShadingPoint from{
         .point = Vec3(0), .normal = up, .geometric_normal = up, .to_eye = up, .material = {}};
@@ -154,7 +154,7 @@ Vec2 sampling_errors(const Light& light, const Sphere& ball, std::uint32_t count
                        seen(independent_sample, seed, count) - share);
         sums += off * off;
     }
-    return {std::sqrt(sums.x / 64), std::sqrt(sums.y / 64)};
+    return {share, std::sqrt(sums.x / 64), std::sqrt(sums.y / 64)};
 }
 
 Mesh owl() {

@@ -47,9 +47,9 @@ template <class Shape>
                                                  const Material& material, Vec3 to_eye,
                                                  std::uint32_t side);
 
-/// How far the share of the light that is seen from the origin, behind the ball, is off with this
-/// many samples, well-spread and independent: root mean squares of 64 seeds.
-[[nodiscard]] Vec2 sampling_errors(const Light& light, const Sphere& ball, std::uint32_t count);
+/// The share of the light that is seen from the origin, behind the ball, and how far it is off with
+/// this many samples, well-spread and independent: root mean squares of 64 seeds.
+[[nodiscard]] Vec3 share_and_errors(const Light& light, const Sphere& ball, std::uint32_t count);
 
 /// The owl of paper: that of scenes/meshes/owl_cage.obj, in triangles.
 [[nodiscard]] Mesh owl();
@@ -100,7 +100,7 @@ struct Contract<0> {
         Function<"printed_shadow_ray", book::printed_shadow_ray>,
         Function<"well_spread_sample", book::well_spread_sample>,
         Function<"independent_sample", book::independent_sample>,
-        Function<"lit_ball", book::lit_ball>, Function<"sampling_errors", book::sampling_errors>,
+        Function<"lit_ball", book::lit_ball>, Function<"share_and_errors", book::share_and_errors>,
         Function<"owl", book::owl>, Function<"owl_hierarchy", book::owl_hierarchy>>;
 };
 
