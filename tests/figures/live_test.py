@@ -9,6 +9,7 @@ import base64
 import contextlib
 import http.server
 import json
+import math
 import os
 import pathlib
 import re
@@ -192,6 +193,7 @@ def check(browser, origin, name):
     errors += says_not(texts, says_of_cases.get(name, [])) if isinstance(browser, chromium.Chromium) else []
     errors += [f"state {i} is the same as the one before" for i in range(1, len(seen)) if seen[i] == seen[i - 1]]
     errors += [f"nothing was asked in {precision}" for precision in count if count[precision] == 0]
+    errors += check_finger(browser, name)
     errors += browser.complaints(origin)
     return errors, count
 
@@ -271,6 +273,35 @@ def check_look(browser, name):
     errors += [] if found["name"] == "what is drawn" else [f"its name is {found['name']}"]
     errors += ["all digits are unfolded"] if found["open"] else []
     return errors + says_not(found["texts"], says.get(name, [])) + [f"more than four digits: {text}" for text in found["texts"] if re.search(r"\.0*[1-9]\d{4}", text)]
+
+
+def check_finger(browser, name):
+    """Errors of a finger in Chromium: a handle follows it and the page stays; elsewhere the page follows."""
+    if not isinstance(browser, chromium.Chromium):
+        return []
+    browser.call("Emulation.setDeviceMetricsOverride", width=700, height=200, deviceScaleFactor=1, mobile=False)
+    browser.call("Emulation.setTouchEmulationEnabled", enabled=True)
+    knob = part(name, "('.handle')")
+    places = f"""(() => {{
+      const {{ x, y, width }} = {knob}.getBoundingClientRect();
+      return [[x + width / 2, y + width / 2], [12, 120], scrollY];
+    }})()"""
+    browser.run(f"{knob}.scrollIntoView({{ block: 'center' }})")
+    handle, margin, page = browser.run(places)
+
+    def swipe(x, y):
+        for kind, way in [("touchStart", 0), *(("touchMove", way) for way in range(8, 49, 8))]:
+            browser.call("Input.dispatchTouchEvent", type=kind, touchPoints=[{"x": x + way / 2, "y": y - way}])
+        browser.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+        return browser.run(f"new Promise((done) => requestAnimationFrame(() => setTimeout(done, 50))).then(() => {places})")
+
+    moved, _, still = swipe(*handle)
+    errors = [] if still == page and math.dist(moved, handle) > 3 else [f"a finger drags a handle from {handle} to {moved}, and the page by {still - page}"]
+    browser.run("scrollTo(0, 0)")
+    errors += [] if swipe(*margin)[2] > 0 else ["a finger does not scroll the page"]
+    browser.call("Emulation.setTouchEmulationEnabled", enabled=False)
+    browser.call("Emulation.clearDeviceMetricsOverride")
+    return errors
 
 
 def take_shots(browser, name):

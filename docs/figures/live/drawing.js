@@ -17,7 +17,7 @@ const style = `
   :host { display: block; margin: 1em 0; }
   svg { width: 100%; max-width: 640px; display: block; background: ${color.white}; font: 14px sans-serif; }
   svg text { fill: ${color.ink}; stroke: ${color.white}; stroke-width: 4; stroke-linejoin: round; paint-order: stroke; }
-  .handle { cursor: grab; outline: none; touch-action: none; stroke: ${pair("#24292f40", "#e6edf350")}; stroke-width: 8; paint-order: stroke; }
+  .handle { display: block; cursor: grab; outline: none; touch-action: none; stroke: ${pair("#24292f40", "#e6edf350")}; stroke-width: 8; paint-order: stroke; }
   .handle:hover { stroke: ${pair("#24292f70", "#e6edf380")}; }
   .handle:active { cursor: grabbing; }
   .handle:focus { stroke: ${color.amber}; }
@@ -35,7 +35,7 @@ const style = `
   td:first-child:not([colspan]) { white-space: nowrap; }
   td[colspan="2"] { color: ${color.gray}; }
   .differs { color: ${color.red}; font-weight: bold; }
-  @media (max-width: 500px) { svg { font-size: 19px; } .long { font-size: 15px; } input[type=range] { width: 7em; } td:first-child:not([colspan]) { white-space: normal; } .handle { stroke-width: 18; } }
+  @media (max-width: 500px) { svg { font-size: 19px; } .long { font-size: 15px; } input[type=range] { width: 7em; } td:first-child:not([colspan]) { white-space: normal; } .handle { stroke-width: 24; } }
   slot { display: none; }
   @media print { slot { display: block; } svg, form, details { display: none; } }`;  // the drawn figure
 
