@@ -94,8 +94,12 @@ def typeset(label):
 
 def translated_figures(language, texts):
     """The drawn figures of docs/figures by their names, with translated labels, and the title that the page has."""
+    def words_of(each):  # a text without places is nearer than one with places, as in words.js
+        words = re.sub(r"{\w+}", "", each[0])
+        return words != each[0], -len(words)
+
     patterns = []
-    for english, own in sorted(entries(language, "figures").items(), key=lambda each: -len(each[0])):
+    for english, own in sorted(entries(language, "figures").items(), key=words_of):
         plain = re.escape(re.sub(r"[$_]", "", english)).replace(r"\{", "{").replace(r"\}", "}")
         patterns.append((re.compile(re.sub(r"{(\w+)}", r"(?P<\1>.+?)", plain)), own))
 

@@ -141,13 +141,19 @@ def check_headings(language):
 
 
 def check_figures(language):
-    """Each label of a drawn figure with a word, which is not a name of the code, is translated."""
+    """Each label of a drawn figure with a word, which is not a name of the code, is translated, by its own entry if it has one."""
     name = r"cos\S*|tan|pix\w+|\w+_\w+"
-    of_english = [re.sub(r"[$_]", "", english) for english in pages.entries(language, "figures")]
-    known = [re.compile(re.sub(r"\\{\w+\\}", ".+?", re.escape(text))) for text in of_english]
+    entries = {re.sub(r"[$_]", "", english): re.sub(r"[$_]", "", own) for english, own in pages.entries(language, "figures").items()}
+    known = [re.compile(re.sub(r"\\{\w+\\}", ".+?", re.escape(text))) for text in entries]
+    translated = pages.translated_figures(language, {})
+
+    def labels(drawn):
+        return [html.unescape(re.sub(r"<[^>]*>", "", label)) for label in re.findall(r"<text[^>]*>(.*?)</text>", drawn, re.S)]
+
     for figure in sorted(project.glob("docs/figures/*.svg")):
-        for label in re.findall(r"<text[^>]*>(.*?)</text>", figure.read_text(encoding="utf-8"), re.S):
-            text = html.unescape(re.sub(r"<[^>]*>", "", label))
+        for text, own in zip(labels(figure.read_text(encoding="utf-8")), labels(translated[figure.name])):
+            if own != entries.get(text, own):
+                errors.append(f"lang/{language}/figures.po: {text!r} of {figure.name} is {own!r}, and not {entries[text]!r}")
             if re.search(rf"\b(?!(?:{name})\b)[a-z]{{3,}}", text) and not any(each.fullmatch(text) for each in known):
                 errors.append(f"lang/{language}/figures.po: nothing for {text!r} of {figure.name}: see docs/figures/printed.txt")
 
