@@ -20,7 +20,7 @@ Vec3 sample_light(const Light& light, Vec3 from, Vec2 sample) {
         cos_theta = std::sqrt(1 - sin2_theta);
     }
     const Real cos_alpha =
-        sin2_theta / sin_max + cos_theta * std::sqrt(std::max(Real(0), 1 - sin2_theta / sin2_max));
+        sin2_theta / sin_max + cos_theta * std::sqrt(std::max(1 - sin2_theta / sin2_max, Real(0)));
     const Real sin_alpha = std::sqrt(std::max(Real(0), 1 - cos_alpha * cos_alpha));
     const Real phi = 2 * pi * sample.y;
     const Basis basis = orthonormal_basis((from - light.position) / distance);
