@@ -54,6 +54,14 @@ int terminal_columns() {
     return said > 0 ? said : 80;
 }
 
+int terminal_rows() {
+#ifdef TIOCGWINSZ
+    winsize size{};
+    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_row > 0) return size.ws_row;
+#endif
+    return 24;
+}
+
 std::string time_left(double seconds, int done, int total) {
     constexpr double least_seconds = 5;
     constexpr int least_part = 20;

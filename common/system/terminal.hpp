@@ -27,6 +27,9 @@ void finish_output();
 /// stream; without a terminal $COLUMNS, or 80 if it is not set.
 [[nodiscard]] int terminal_columns();
 
+/// The height in lines of the terminal of the standard output, or 24.
+[[nodiscard]] int terminal_rows();
+
 /// ", 3 s left" after this many seconds for `done` of `total` equal parts; empty while this is a
 /// guess: in the first 5 seconds, and before a twentieth is done.
 [[nodiscard]] std::string time_left(double seconds, int done, int total);

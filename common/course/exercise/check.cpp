@@ -14,6 +14,7 @@
 #include "common/course/exercise/warnings.hpp"
 #include "common/course/exercise/workbook.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/lines.hpp"
 #include "common/system/status_line.hpp"
 #include "common/system/translation.hpp"
 #include "common/system/wrap.hpp"
@@ -28,6 +29,9 @@
 namespace rt {
 
 namespace {
+
+/// Below the result: the picture, the next step, and a prompt or the keys of `watch`.
+constexpr int rows_of_rest = 8;
 
 struct Built {
     std::string error;     ///< the first one; empty if there is none
@@ -157,19 +161,22 @@ int check(int stage, bool complete) {
         return in_double.right();
     });
     if (!error.empty()) {
-        if (!in_double.suite.cases.empty())
-            show_result(stage, findings_of(stage, {std::move(in_double), std::nullopt}, {}),
-                        complete);
+        if (!in_double.suite.cases.empty()) {
+            const Findings findings = findings_of(stage, {std::move(in_double), std::nullopt}, {});
+            const int rows = show_verdict(stage, findings, complete);
+            show_failure(stage, findings, complete,
+                         rows + int(lines_of(wrapped_diagnostic(error)).size()));
+        }
         std::fputs(wrapped_diagnostic(error).c_str(), stdout);
         return 1;
     }
     const Findings findings = examine(workbook, std::move(in_double), in_float);
     remember(findings, files, workbook);
-    show_result(stage, findings, complete);
-    std::fflush(stdout);
+    const int rows = show_verdict(stage, findings, complete);
+    const std::string below = warnings_of(workbook) + references_used(stage);
+    show_failure(stage, findings, complete, rows + int(lines_of(below).size()) + rows_of_rest);
     const bool draws = findings.judgment.ended() && show_picture(stage, !findings.judgment.right());
-    show_warnings(workbook);
-    show_references_used(stage);
+    std::fputs(below.c_str(), stdout);
     show_next_step(workbook, findings, draws);
     return findings.judgment.right() && draws ? 0 : 1;
 }

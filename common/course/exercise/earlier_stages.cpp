@@ -2,14 +2,16 @@
 
 #include "common/course/build/project.hpp"
 #include "common/course/exercise/workbook.hpp"
+#include "common/system/translation.hpp"
+#include "common/system/wrap.hpp"
 
 #include <cstdio>
 
 namespace rt {
 
-void show_references_used(int stage) {
+std::string references_used(int stage) {
     const std::vector<int> others = started_before(stage);
-    if (others.empty()) return;
+    if (others.empty()) return "";
     std::string list;
     for (const int other : others) list += (list.empty() ? "" : ", ") + std::to_string(other);
     const Values values = {{"others", list}, {"stage", std::to_string(stage)}};
@@ -20,7 +22,7 @@ void show_references_used(int stage) {
                           : tr("Judged with the references in place of your stage {others}; "
                                "./course run {stage} uses yours.",
                                values);
-    std::puts(wrapped_prose(sentence).c_str());
+    return wrapped_prose(sentence) + "\n";
 }
 
 void warn_of_earlier(int stage, const std::string& references) {

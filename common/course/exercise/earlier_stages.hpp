@@ -5,9 +5,9 @@
 
 namespace rt {
 
-/// If other stages are started that this one builds on, prints that it is judged with references
+/// If other stages are started that this one builds on, the line that it is judged with references
 /// in place of them.
-void show_references_used(int stage);
+[[nodiscard]] std::string references_used(int stage);
 
 /// Warns, on the standard error stream, of each of these stages that is used and did not pass its
 /// last check as it is now. `references` ("3;5") are not used.

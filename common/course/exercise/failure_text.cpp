@@ -100,10 +100,6 @@ std::string without_casts(std::string text) {
     return text;
 }
 
-bool starts_answer(const std::string& line) {
-    return line.starts_with("  got: ") || line.starts_with("  expected: ");
-}
-
 /// The first digits in which the answers of the two lines differ, if they do.
 int digits_to_tell_apart(const std::string& got, const std::string& expected) {
     const auto answer = [](const std::string& line, int digits) {
@@ -155,6 +151,18 @@ std::vector<std::string> failure_lines(const std::string& failure, bool complete
             shown.push_back(is_call ? brief_code(line) : line);
     }
     return shown;
+}
+
+bool starts_answer(const std::string& line) {
+    return line.starts_with("  got: ") || line.starts_with("  expected: ");
+}
+
+std::string fitted(const std::string& text, std::size_t most, const std::string& mark) {
+    const std::vector<std::string> lines = lines_of(text);
+    if (lines.size() <= most) return text;
+    std::string shown;
+    for (std::size_t i = 0; i < std::max(most, std::size_t(2)) - 1; ++i) shown += lines[i] + "\n";
+    return shown + mark + "\n";
 }
 
 std::size_t length_of_call(const std::string& failure) {

@@ -7,6 +7,7 @@
 #include "common/stages/not_written.hpp"
 #include "common/system/files.hpp"
 #include "common/system/paint.hpp"
+#include "common/system/terminal.hpp"
 #include "common/system/translation.hpp"
 #include "common/system/wrap.hpp"
 
@@ -18,14 +19,10 @@ namespace rt {
 
 namespace {
 
-void print(const std::string& line, Style style) {
-    std::printf("%s\n", styled(wrapped(line), style).c_str());
-}
-
-/// Prints sentences, which go on at the left.
-void print_prose(const std::string& line, std::optional<Style> style = std::nullopt) {
+/// Sentences, which go on at the left.
+std::string prose(const std::string& line, std::optional<Style> style = std::nullopt) {
     const std::string text = wrapped_prose(line);
-    std::printf("%s\n", style ? styled(text, *style).c_str() : text.c_str());
+    return (style ? styled(text, *style) : text) + "\n";
 }
 
 std::string listed(const std::vector<std::string>& words) {
@@ -43,80 +40,96 @@ std::set<std::string> passed_by_starter(int stage) {
     return {lines.begin(), lines.end()};
 }
 
-/// Prints the output of the student's code, each line once, since code may print for every ray.
-void show_prints(const std::string& output, bool complete) {
+/// The output of the student's code, each line once, since code may print for every ray.
+std::string prints_text(const std::string& output, bool complete) {
     const std::size_t most = complete ? 12 : 4;
     std::vector<std::string> prints;
     for (const std::string& line : lines_of(output))
         if (line.find(not_written) == std::string::npos && prints.size() <= most &&
             std::find(prints.begin(), prints.end(), line) == prints.end())
             prints.push_back(line);
-    if (prints.empty()) return;
-    std::printf("\n%s\n", tr("Your code prints:").c_str());
+    if (prints.empty()) return "";
+    std::string text = "\n" + tr("Your code prints:") + "\n";
     if (prints.size() > most) prints.back() = "…";
-    for (const std::string& line : prints) std::printf("  %s\n", line.c_str());
+    for (const std::string& line : prints) text += "  " + line + "\n";
+    return text;
 }
 
-void show_verdict(int stage, const Judgment& judgment) {
+std::string verdict_text(int stage, const Judgment& judgment) {
     const Values counts = {{"passed", std::to_string(judgment.passed())},
                            {"cases", std::to_string(judgment.cases())}};
     const std::string passed =
         judgment.in_float ? tr("{passed} of {cases} cases pass, in float and double", counts)
                           : tr("{passed} of {cases} cases pass, in double", counts);
-    std::printf("%s: %s\n", styled(name_of(stage), Style::bold).c_str(),
-                styled(passed, judgment.right() ? Style::good : Style::bad).c_str());
+    return styled(name_of(stage), Style::bold) + ": " +
+           styled(passed, judgment.right() ? Style::good : Style::bad) + "\n";
 }
 
-void show_lines(const std::string& failure, bool complete) {
+/// A failure on a terminal: the call or the scene, and what follows it.
+struct FailureText {
+    std::string question;
+    std::string answers;
+
+    [[nodiscard]] std::size_t rows() const { return lines_of(question + answers).size(); }
+};
+
+FailureText text_of(const std::string& failure, bool complete) {
+    FailureText text;
     bool is_paste = false;
+    bool is_answered = false;
     for (const std::string& line : failure_lines(failure, complete)) {
         const bool goes_on = line.starts_with("    ");
         is_paste = line.starts_with("  paste: ") || (is_paste && goes_on);
+        is_answered = is_answered || starts_answer(line);
         const std::string indented = "    " + tr_line(line);
-        std::printf("%s\n", (is_paste ? wrapped_code(indented) : wrapped(indented)).c_str());
+        (is_answered ? text.answers : text.question) +=
+            (is_paste ? wrapped_code(indented) : wrapped(indented)) + "\n";
     }
+    return text;
 }
 
-void show_failure(const CaseResult& failed, const SuiteResult& suite, const std::string& remark,
-                  bool complete) {
-    std::puts("");
-    print("✗ " + tr(failed.name) + remark, Style::bad);
-    if (!failed.ended.empty()) {  // a failure that came before is of another question
-        std::printf("%s\n", wrapped("    " + failed.ended).c_str());
-        if (suite.not_reached > 0)
-            std::printf("    %s\n", tr("The {number} cases after this one were not run.",
-                                       {{"number", std::to_string(suite.not_reached)}})
-                                        .c_str());
-        return;
+FailureText text_of(const CaseResult& failed, const SuiteResult& suite, bool complete) {
+    if (failed.ended.empty()) {
+        FailureText text = text_of(failed.failure, complete);
+        if (complete && !failed.place.empty())
+            text.answers += "    " + tr_text("asked:    " + failed.place) + "\n";
+        return text;
     }
-    show_lines(failed.failure, complete);
-    if (complete && !failed.place.empty())
-        std::printf("    %s\n", tr_text("asked:    " + failed.place).c_str());
+    // A failure that came before is of another question.
+    std::string answer = wrapped("    " + failed.ended) + "\n";
+    if (suite.not_reached > 0)
+        answer += "    " +
+                  tr("The {number} cases after this one were not run.",
+                     {{"number", std::to_string(suite.not_reached)}}) +
+                  "\n";
+    return {.question = "", .answers = answer};
 }
 
-/// Prints the smallest call with a wrong answer, if that is shorter than the failing one.
-void show_smallest(const Diagnosis& diagnosis, const CaseResult& failed, bool complete) {
+/// The smallest call with a wrong answer, if that is shorter than the failing one.
+std::string smallest_text(const Diagnosis& diagnosis, const CaseResult& failed, bool complete) {
     const bool shorter =
         length_of_call(brief_code(diagnosis.smallest)) < length_of_call(brief_code(failed.failure));
-    if (diagnosis.smallest.empty() || !failed.ended.empty() || !(shorter || complete)) return;
-    std::printf("\n%s\n", tr("A plainer call with a wrong answer:").c_str());
-    show_lines(diagnosis.smallest, complete);
+    if (diagnosis.smallest.empty() || !failed.ended.empty() || !(shorter || complete)) return "";
+    const FailureText call = text_of(diagnosis.smallest, complete);
+    std::string text =
+        "\n" + tr("A plainer call with a wrong answer:") + "\n" + call.question + call.answers;
     if (!diagnosis.drawing.empty())
-        std::printf("    %s\n", tr_line("  drawn:    " + diagnosis.drawing).c_str());
+        text += "    " + tr_line("  drawn:    " + diagnosis.drawing) + "\n";
+    return text;
 }
 
-/// Prints how many other cases fail, and whether they call the part that is wrong, too.
-void show_others(const Findings& findings, const std::vector<CaseResult>& cases, int stage) {
+/// How many other cases fail, and whether they call the part that is wrong, too.
+std::string others_text(const Findings& findings, const std::vector<CaseResult>& cases, int stage) {
     const Judgment& judgment = findings.judgment;
     const int others = judgment.cases() - judgment.passed() - 1;
-    if (others <= 0 || !judgment.in_double.written() || !judgment.ended()) return;
+    if (others <= 0 || !judgment.in_double.written() || !judgment.ended()) return "";
     const Values values = {{"number", std::to_string(others)}, {"stage", std::to_string(stage)}};
     std::string line = others == 1
                            ? tr("{number} more case fails: ./course check {stage} --all.", values)
                            : tr("{number} more cases fail: ./course check {stage} --all.", values);
     if (!parts_that_use(findings.part, cases, findings.known).empty())
         line += " " + tr("The other failures may have the same cause.");
-    print_prose(line, Style::dim);
+    return prose(line, Style::dim);
 }
 
 /// The place of the message on an unwritten function: "steps/…/student/sphere.cpp:22".
@@ -126,6 +139,17 @@ std::string place_of(const std::string& function, const std::string& output) {
         if (end != std::string::npos) return line.substr(0, end);
     }
     return "";
+}
+
+/// The most telling failure, or the first one of a part that is not written; the number of cases if
+/// all pass.
+std::size_t case_to_show(const Findings& findings, const std::vector<CaseResult>& cases) {
+    const auto& unwritten = findings.judgment.in_double.unwritten;
+    const bool is_written = std::none_of(unwritten.begin(), unwritten.end(), [&](const auto& name) {
+        return names(findings.part, name);
+    });
+    return is_written ? most_telling(cases, findings.part, findings.diagnosis.names, findings.known)
+                      : first_failing(cases, findings.part);
 }
 
 }  // namespace
@@ -139,36 +163,54 @@ Findings findings_of(int stage, Judgment judgment, Diagnosis diagnosis) {
     return {std::move(judgment), std::move(diagnosis), std::move(known), std::move(part)};
 }
 
-void show_result(int stage, const Findings& findings, bool complete) {
+int show_verdict(int stage, const Findings& findings, bool complete) {
     const Judgment& judgment = findings.judgment;
-    const bool in_double = !judgment.in_double.right() || !judgment.in_float;
-    const Judged& judged = in_double ? judgment.in_double : *judgment.in_float;
-    show_verdict(stage, judgment);
+    std::string text = verdict_text(stage, judgment);
     for (const std::string& sentence : findings.diagnosis.sentences)
-        print_prose(tr_text(sentence), Style::bold);
+        text += prose(tr_text(sentence), Style::bold);
     if (complete && !findings.diagnosis.names.empty())
-        print_prose(tr("mistake: {names}", {{"names", listed(findings.diagnosis.names)}}));
+        text += prose(tr("mistake: {names}", {{"names", listed(findings.diagnosis.names)}}));
     const auto& unwritten = judgment.in_double.unwritten;
     if (!unwritten.empty())
-        print_prose(tr("Not written yet: {functions}.", {{"functions", listed(unwritten)}}));
-    show_prints(judgment.in_double.suite.output, complete);
+        text += prose(tr("Not written yet: {functions}.", {{"functions", listed(unwritten)}}));
+    text += prints_text(judgment.in_double.suite.output, complete);
+    std::fputs(text.c_str(), stdout);
     if (complete)
         show_cases(judgment.outcomes,
                    unwritten.empty() ? std::set<std::string>() : passed_by_starter(stage));
-    const bool is_written = std::none_of(unwritten.begin(), unwritten.end(), [&](const auto& name) {
-        return names(findings.part, name);
-    });
-    const std::vector<CaseResult>& cases = judged.suite.cases;
-    const std::size_t first =
-        is_written ? most_telling(cases, findings.part, findings.diagnosis.names, findings.known)
-                   : first_failing(cases, findings.part);
-    if (first == cases.size()) return;
-    const CaseResult& failed = cases[first];
+    std::fflush(stdout);
+    return int(lines_of(text).size());
+}
+
+void show_failure(int stage, const Findings& findings, bool complete, int other_rows) {
+    const bool in_double = !findings.judgment.in_double.right() || !findings.judgment.in_float;
+    const SuiteResult& suite =
+        (in_double ? findings.judgment.in_double : *findings.judgment.in_float).suite;
+    const std::size_t shown = case_to_show(findings, suite.cases);
+    if (shown == suite.cases.size()) return;
+    const CaseResult& failed = suite.cases[shown];
     remember_shown_case(stage, failed.name);
-    show_failure(failed, judged.suite, in_double ? "" : "  " + tr("(in float only)"), complete);
-    if (findings.diagnosis.names.empty() || complete)
-        show_smallest(findings.diagnosis, failed, complete);
-    show_others(findings, cases, stage);
+    const std::string title =
+        wrapped("✗ " + tr(failed.name) + (in_double ? "" : "  " + tr("(in float only)")));
+    FailureText failure = text_of(failed, suite, complete);
+    const bool has_name = !findings.diagnosis.names.empty();
+    std::string smallest =
+        has_name && !complete ? "" : smallest_text(findings.diagnosis, failed, complete);
+    const std::string others = others_text(findings, suite.cases, stage);
+    if (!complete && output_on_terminal()) {
+        const int left =
+            terminal_rows() - other_rows - int(lines_of("\n" + title + "\n" + others).size());
+        if (int(failure.rows() + lines_of(smallest).size()) > left) smallest.clear();
+        const int of_question = left - int(lines_of(failure.answers).size());
+        failure.question = fitted(failure.question, std::size_t(std::max(of_question, 0)),
+                                  "      … " + tr("whole: ./course check {stage} --all",
+                                                  {{"stage", std::to_string(stage)}}));
+    }
+    std::fputs(("\n" + styled(title, Style::bad) + "\n" + failure.question + failure.answers +
+                smallest + others)
+                   .c_str(),
+               stdout);
+    std::fflush(stdout);
 }
 
 void show_next_step(const Workbook& workbook, const Findings& findings, bool draws) {
@@ -196,9 +238,11 @@ void show_next_step(const Workbook& workbook, const Findings& findings, bool dra
                     .c_str(),
                 help.c_str());
         else if (findings.part.empty() || findings.part == "together")
-            print_prose(help);
+            std::fputs(prose(help).c_str(), stdout);
         else
-            print_prose(tr("Look at {part}.", {{"part", tr_text(findings.part)}}) + " " + help);
+            std::fputs(prose(tr("Look at {part}.", {{"part", tr_text(findings.part)}}) + " " + help)
+                           .c_str(),
+                       stdout);
     }
 }
 

@@ -18,9 +18,14 @@ struct Findings {
 
 [[nodiscard]] Findings findings_of(int stage, Judgment judgment, Diagnosis diagnosis);
 
-/// Prints the verdict in one line, the sentences on known mistakes, and the most telling failure.
-/// With `complete` also every case, the lines to paste, and the names of the mistakes.
-void show_result(int stage, const Findings& findings, bool complete);
+/// Prints the verdict in one line, the sentences on known mistakes, and what is not written; with
+/// `complete` also the names of the mistakes and every case. Returns the number of lines.
+int show_verdict(int stage, const Findings& findings, bool complete);
+
+/// Prints the most telling failure, with `complete` also the lines to paste. Without, what does not
+/// fit on the terminal beside as many other rows is left out: first the plainer call, then the end
+/// of the question.
+void show_failure(int stage, const Findings& findings, bool complete, int other_rows);
 
 /// Prints what to do next. `draws` is false if all cases pass and the picture does not.
 void show_next_step(const Workbook& workbook, const Findings& findings, bool draws);

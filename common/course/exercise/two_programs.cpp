@@ -62,7 +62,7 @@ void show_parts(const ComparisonRequest& contest) {
     if (contest.all_mine)
         warn_of_earlier(contest.stage, contest.references);
     else
-        show_references_used(contest.stage);
+        std::fputs(references_used(contest.stage).c_str(), stdout);
 }
 
 }  // namespace rt

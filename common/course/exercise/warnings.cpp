@@ -8,8 +8,6 @@
 #include "common/system/translation.hpp"
 #include "common/system/wrap.hpp"
 
-#include <cstdio>
-
 namespace rt {
 
 namespace {
@@ -17,80 +15,91 @@ namespace {
 constexpr const char* advice =
     to_translate("Put helper functions into an anonymous namespace: namespace { … }");
 
-/// Prints "steps/…/student/sphere.cpp:2: warning: …".
-void warn(const std::string& place, const std::string& words) {
-    const std::string line = tr("{place}: warning: {words}", {{"place", place}, {"words", words}});
-    std::printf("%s\n", wrapped(line).c_str());
+/// "steps/…/student/sphere.cpp:2: warning: …"
+std::string warning(const std::string& place, const std::string& words) {
+    return wrapped(tr("{place}: warning: {words}", {{"place", place}, {"words", words}})) + "\n";
 }
 
 /// Warns of includes that work here, and are refused when the file is graded.
-void show_refused_includes(const Workbook& workbook) {
+std::string refused_includes_of(const Workbook& workbook) {
     const int stage = workbook.stage();
+    std::string text;
     for (const std::filesystem::path& file : workbook.files())
         for (const Include& each :
              refused_includes(project_folder, {stage, file.filename() == trace_file}, file))
-            warn(step_path(stage, "student/" + file.filename().string()) + ":" +
-                     std::to_string(each.line),
-                 tr("a graded file may not include {header}: docs/{stage}.md lists the allowed "
-                    "headers",
-                    {{"header", each.header}, {"stage", name_of(stage)}}));
+            text += warning(
+                step_path(stage, "student/" + file.filename().string()) + ":" +
+                    std::to_string(each.line),
+                tr("a graded file may not include {header}: docs/{stage}.md lists the allowed "
+                   "headers",
+                   {{"header", each.header}, {"stage", name_of(stage)}}));
+    return text;
 }
 
 /// Warns of each source file that is linked here, but not when the stage is graded; and if there is
 /// none but main.cpp, so that the reference was judged with it.
-void show_ungraded_files(const Workbook& workbook) {
+std::string ungraded_files_of(const Workbook& workbook) {
     const int stage = workbook.stage();
+    std::string text;
     const std::string graded = stage_header(stage).stem().string() + ".cpp";
     if (workbook.has_trace() && workbook.files().size() == 1)
-        warn(step_path(stage, "student/" + graded),
-             tr("it is missing, so that the reference's functions were judged; graded without it, "
-                "they get no points"));
+        text += warning(
+            step_path(stage, "student/" + graded),
+            tr("it is missing, so that the reference's functions were judged; graded without it, "
+               "they get no points"));
     for (const std::filesystem::path& file : workbook.files())
         if (file.filename() != graded && file.filename() != trace_file)
-            warn(step_path(stage, "student/" + file.filename().string()),
-                 tr("only {file} is graded: move what it needs of this file into it",
-                    {{"file", graded}}));
+            text += warning(step_path(stage, "student/" + file.filename().string()),
+                            tr("only {file} is graded: move what it needs of this file into it",
+                               {{"file", graded}}));
+    return text;
 }
 
-/// Prints the compiler's first warning, also if it was compiled before, with its cure.
-void show_warning(int stage) {
-    const std::string warning = first_warning(kept_warnings(stage));
-    std::fputs(wrapped_diagnostic(warning).c_str(), stdout);
-    if (warning.find("no previous ") != std::string::npos)
-        std::puts(wrapped_prose(tr(advice)).c_str());
+std::string cure() {
+    return wrapped_prose(tr(advice)) + "\n";
+}
+
+/// The compiler's first warning, also if it was compiled before, with its cure.
+std::string compiler_warning(int stage) {
+    const std::string first = first_warning(kept_warnings(stage));
+    return wrapped_diagnostic(first) +
+           (first.find("no previous ") != std::string::npos ? cure() : "");
 }
 
 /// Warns of symbols for which no program can be linked with another stage of the student's.
-void show_shared_symbols(int stage) {
-    for (const SharedSymbol& each : shared_symbols(stage)) {
-        warn(each.file.string(),
-             tr("{symbol} is defined twice, also in {file}: ./course run cannot link both.",
-                {{"symbol", each.name}, {"file", each.other_file.string()}}));
-        std::puts(wrapped_prose(tr(advice)).c_str());
-    }
+std::string shared_symbols_of(int stage) {
+    std::string text;
+    for (const SharedSymbol& each : shared_symbols(stage))
+        text +=
+            warning(each.file.string(),
+                    tr("{symbol} is defined twice, also in {file}: ./course run cannot link both.",
+                       {{"symbol", each.name}, {"file", each.other_file.string()}})) +
+            cure();
+    return text;
 }
 
 /// Warns of variables that keep a value from one ray to the next.
-void show_static_variables(int stage) {
+std::string static_variables_of(int stage) {
+    std::string text;
     for (const StaticVariable& each : static_variables(stage))
-        warn(each.file.string() + ":" + std::to_string(each.line),
-             each.of_each_thread
-                 ? tr("{name} keeps its value from one ray to the next: make it a local variable, "
-                      "or const",
-                      {{"name", each.name}})
-                 : tr("{name} keeps its value from one ray to the next, and all threads share it: "
-                      "make it a local variable, or const",
-                      {{"name", each.name}}));
+        text += warning(
+            each.file.string() + ":" + std::to_string(each.line),
+            each.of_each_thread
+                ? tr("{name} keeps its value from one ray to the next: make it a local variable, "
+                     "or const",
+                     {{"name", each.name}})
+                : tr("{name} keeps its value from one ray to the next, and all threads share it: "
+                     "make it a local variable, or const",
+                     {{"name", each.name}}));
+    return text;
 }
 
 }  // namespace
 
-void show_warnings(const Workbook& workbook) {
-    show_warning(workbook.stage());
-    show_static_variables(workbook.stage());
-    show_shared_symbols(workbook.stage());
-    show_refused_includes(workbook);
-    show_ungraded_files(workbook);
+std::string warnings_of(const Workbook& workbook) {
+    return compiler_warning(workbook.stage()) + static_variables_of(workbook.stage()) +
+           shared_symbols_of(workbook.stage()) + refused_includes_of(workbook) +
+           ungraded_files_of(workbook);
 }
 
 }  // namespace rt

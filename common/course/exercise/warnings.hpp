@@ -3,11 +3,13 @@
 
 #include "common/course/exercise/workbook.hpp"
 
+#include <string>
+
 namespace rt {
 
-/// Prints the compiler's first warning, variables that outlive a call, and what will be missing or
+/// The compiler's first warning, variables that outlive a call, and what will be missing or
 /// refused: a symbol that another stage defines too, an #include that a graded file may not have, a
-/// file that is not graded.
-void show_warnings(const Workbook& workbook);
+/// file that is not graded. Each ends its line.
+[[nodiscard]] std::string warnings_of(const Workbook& workbook);
 
 }  // namespace rt

@@ -126,6 +126,12 @@ TEST_CASE("answers have the digits that tell them apart; lines for later are lef
     CHECK(length_of_call(failure) == 13);
 }
 
+TEST_CASE("a text of too many lines ends with a mark") {
+    CHECK(fitted("1\n2\n3\n", 3, "…") == "1\n2\n3\n");
+    CHECK(fitted("1\n2\n3\n4\n", 3, "…") == "1\n2\n…\n");
+    CHECK(fitted("1\n2\n3\n", 0, "…") == "1\n…\n");
+}
+
 TEST_CASE("a vector and a value stay on the line of what they belong to") {
     CHECK(wrapped("f(A{.a = {1, 2, 3}, .b = 4})", 20) == "f(A{.a = {1, 2, 3},\n    .b = 4})");
     CHECK(wrapped("f(A{.abc = {1, 2, 3}})", 14) == "f(A{.abc = {1, 2, 3}})");
