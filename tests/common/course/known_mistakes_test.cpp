@@ -6,6 +6,8 @@
 
 #include "tests/kit/catch.hpp"
 
+#include <regex>
+
 using namespace rt;
 namespace fs = std::filesystem;
 
@@ -110,6 +112,20 @@ TEST_CASE("a catalogue that is not complete is an error with its place") {
           error(1, "tests/alternatives/step03_sphere/textbook.cpp does not exist"));
     CHECK(source("mistake far\n") == error(1, "expected \"mistake NAME in RIGHT_ANSWER\""));
     CHECK(contains(source(head + "return 1;\n"), "step03_sphere.txt:5: error: expected "));
+}
+
+TEST_CASE("sentences are in plain words, without the names of the code") {
+    const std::regex of_code(
+        R"(\b[a-z]{2,}_[a-z]{2,}|::|[a-z]\.[a-z]|\b(?!tan\()[a-z]{2,}\(|\w\[|\b[A-Z][a-z]+[A-Z][a-z]|\bReal\b)");
+    CHECK(std::regex_search("Take surface.error.", of_code));
+    CHECK(std::regex_search("Turn it with face_forward.", of_code));
+    for (const std::string_view stage : stage_names)
+        for (const char* of_trace : {"", "_trace"})
+            for (const KnownMistake& mistake :
+                 read_known_mistakes(RAYSTEPS_ROOT, std::string(stage) + of_trace)) {
+                INFO(stage << of_trace << ": " << mistake.name << ": " << mistake.sentence);
+                CHECK_FALSE(std::regex_search(mistake.sentence, of_code));
+            }
 }
 
 TEST_CASE("every known mistake is a change of a right answer that is there") {
