@@ -7,20 +7,31 @@ draw.py check-tables   fails if the page's are not what the CSV gives
 draw.py check-plots    the same of the plots: by their words and points, since every version of
                        matplotlib draws with other bytes; 77 if matplotlib is missing
 
-A plot is a module of one function, plots(), which yields names, titles and figures.
+Each module of plots has a function plots(), which yields names, titles and figures.
 """
 import importlib
+import importlib.util
+import os
 import re
 import sys
+from pathlib import Path
 
 sys.dont_write_bytecode = True
 from data import FOLDER  # noqa: E402
-from modules import is_there  # noqa: E402
 from tables import tables  # noqa: E402
 
-PLOTS = ["shapes_cost", "shapes_wrong", "contact", "penumbra", "mirrors", "hierarchy", "decimation",
-         "pixels", "input_rounding", "front", "sources", "formats"]
+SYSTEM = "/usr/bin/python3"  # has modules that the first Python in the PATH may lack
+PLOTS = ["shapes", "studies", "settings"]
 MISSING = "this needs matplotlib: python3-matplotlib, or what your system calls it"
+
+
+def is_there(module):
+    """True if it is; otherwise the program starts again in the system's Python, or this is it."""
+    if importlib.util.find_spec(module) is not None:
+        return True
+    if Path(SYSTEM).exists() and not os.path.samefile(SYSTEM, sys.executable):
+        os.execv(SYSTEM, [SYSTEM, *sys.argv])
+    return False
 
 
 def pages():
