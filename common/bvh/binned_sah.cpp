@@ -5,7 +5,6 @@
 
 namespace rt {
 inline namespace RT_PRECISION {
-
 inline namespace RT_LANES {
 
 namespace {
@@ -208,6 +207,5 @@ std::array<PrimitiveRange, 2> BinnedSah::split_middle(const PrimitiveRange& rang
 }
 
 }  // namespace RT_LANES
-
 }  // namespace RT_PRECISION
 }  // namespace rt

@@ -11,7 +11,6 @@
 
 namespace rt {
 inline namespace RT_PRECISION {
-
 inline namespace RT_LANES {
 
 /// A bounding box with one coordinate in each SIMD lane: x, y, z, and a lane that stays 0.
@@ -83,6 +82,5 @@ private:
 };
 
 }  // namespace RT_LANES
-
 }  // namespace RT_PRECISION
 }  // namespace rt

@@ -4,11 +4,27 @@
 #include "common/system/huge_pages.hpp"
 
 #include <future>
+#include <memory>
 
 namespace rt {
 inline namespace RT_PRECISION {
-
 inline namespace RT_LANES {
+
+/// A range of boxes, split in two until it is a leaf: a node of the binary tree. It is stored
+/// before the lower part, and that before the upper one.
+struct BinaryNode {
+    std::array<float, 6> planes;  ///< as in Node
+    std::uint32_t begin;
+    std::uint32_t to_upper;  ///< distance in memory from this node to its upper part; 0 if a leaf
+    std::uint8_t leaf_size;  ///< number of boxes, if a leaf
+    /// If the range is to be covered by at most i + 2 nodes, the number of them for the lower part;
+    /// 0 if it is covered by one node of its own, or is a leaf.
+    std::array<std::uint8_t, Node::width - 1> lower_share;
+};
+
+/// The sum of the surface areas of all nodes in a range, which is the expected number of visits, if
+/// the range is covered by at most i nodes: the least sum of all choices.
+using NodeAreas = std::array<float, Node::width + 1>;
 
 namespace {
 
@@ -16,31 +32,9 @@ namespace {
 /// of the one around it, so that no arrangement of boxes makes the tree deeper than Bvh::max_depth.
 constexpr std::size_t halving_depth = 64;
 
-/// Up to this depth, and from this size on, a range may be split by a separate thread; not half of
-/// all, whose tree would be in memory twice.
+/// Up to this depth, and from this size on, the upper part of a range is split by another thread.
 constexpr std::size_t thread_depth = 3;
 constexpr std::size_t thread_size = 65536;
-
-/// A range of boxes, split in two until it is a leaf: a node of the binary tree. It is stored
-/// before the lower part, and that before the upper one.
-struct BinaryNode {
-    std::array<float, 6> planes;  ///< as in Node
-    std::uint32_t begin;
-    std::uint32_t to_upper = 0;  ///< number of nodes from this one to its upper part; 0 if a leaf
-    std::uint8_t leaf_size = 0;  ///< number of boxes, if a leaf
-    /// If the range is to be covered by at most i + 2 nodes, the number of them for the lower part;
-    /// 0 if it is covered by one node of its own, or is a leaf.
-    std::array<std::uint8_t, Node::width - 1> lower_share{};
-};
-
-/// The sum of the surface areas of all nodes in a range, which is the expected number of visits, if
-/// the range is covered by at most i nodes: the least sum of all choices.
-using NodeAreas = std::array<float, Node::width + 1>;
-
-/// True if lane i of the node contains a child: a node can have fewer than `width`.
-bool has_child(const Node& node, std::size_t i) {
-    return std::bit_cast<std::array<float, Node::width>>(node.planes[0])[i] < Box4::end;
-}
 
 BoundingBox around(std::size_t count, const BoxOf& box) {
     BoundingBox all;
@@ -130,60 +124,70 @@ public:
     [[nodiscard]] Bvh tree();
 
 private:
-    using Nodes = std::vector<BinaryNode>;
+    /// The binary tree of a range.
+    struct Part {
+        std::size_t end;  ///< the place in nodes_ behind its last node
+        std::size_t leaves;
+        NodeAreas areas;
+    };
 
-    NodeAreas split(Nodes& nodes, const PrimitiveRange& range, std::size_t depth);
+    [[nodiscard]] Part split(std::size_t place, const PrimitiveRange& range, std::size_t depth);
     [[nodiscard]] std::uint32_t add(Bvh& tree, const BinaryNode& node) const;
 
     std::uint32_t leaf_size_;
     BoundingBox bounds_;
     UnitSpace frame_;
     BinnedSah ranges_;
+    /// Room for twice as many nodes as boxes. What no node is stored in remains address space.
+    std::unique_ptr<BinaryNode[]> nodes_;
 };
 
 Bvh BvhBuilder::tree() {
     const PrimitiveRange& all = ranges_.all();
     if (all.size() == 0) return {};
-    Nodes nodes;
-    reserve_huge(nodes, 3 * (all.size() / leaf_size_) + 1);  // most leaves are full
-    split(nodes, all, 0);
+    nodes_.reset(new BinaryNode[2 * all.size()]);  // make_unique would write to all of them
+    request_huge_pages(nodes_.get(), 2 * all.size() * sizeof(BinaryNode));
+    const std::size_t leaves = split(0, all, 0).leaves;
     ranges_.free_boxes();
     Bvh tree;
     tree.bounds_ = bounds_;
     tree.frame_ = frame_;
-    const std::size_t leaves = (nodes.size() + 1) / 2;
     reserve_huge(tree.leaves_, leaves);
     reserve_huge(tree.nodes_, leaves / 4);  // most nodes have more than five children
-    tree.root_ = add(tree, nodes.front());
+    tree.root_ = add(tree, nodes_[0]);
     return tree;
 }
 
-/// Appends the binary tree of the range, and returns the areas of the nodes that may cover it.
-/// Large parts are split by threads, if the system has any left, into separate trees that are
-/// appended in order: the result does not depend on the number of threads.
-NodeAreas BvhBuilder::split(Nodes& nodes, const PrimitiveRange& range, std::size_t depth) {
-    const std::size_t place = nodes.size();
+/// Stores the binary tree of the range from `place` on. Large upper parts are split by threads, if
+/// the system has any left, behind the room that the lower part may need at most: the result does
+/// not depend on the number of threads.
+BvhBuilder::Part BvhBuilder::split(std::size_t place, const PrimitiveRange& range,
+                                   std::size_t depth) {
     const auto min = values(range.bounds.min);
     const auto max = values(range.bounds.max);
-    nodes.push_back({.planes = {min[0], max[0], min[1], max[1], min[2], max[2]},
-                     .begin = std::uint32_t(range.begin)});
+    BinaryNode& node = nodes_[place];
+    node = {.planes = {min[0], max[0], min[1], max[1], min[2], max[2]},
+            .begin = std::uint32_t(range.begin)};
     if (range.size() <= leaf_size_) {
-        nodes[place].leaf_size = std::uint8_t(range.size());
-        return {};
+        node.leaf_size = std::uint8_t(range.size());
+        return {.end = place + 1, .leaves = 1};
     }
     const auto [lower, upper] =
         depth < halving_depth ? ranges_.split(range) : ranges_.split_middle(range);
-    Nodes separate;
-    std::future<NodeAreas> separate_areas;
-    if (depth > 0 && depth <= thread_depth && upper.size() >= thread_size)
-        separate_areas = std::async(
-            [this, &separate, &part = upper, depth] { return split(separate, part, depth + 1); });
-    const NodeAreas lower_areas = split(nodes, lower, depth + 1);
-    nodes[place].to_upper = std::uint32_t(nodes.size() - place);
-    const NodeAreas upper_areas =
-        separate_areas.valid() ? separate_areas.get() : split(nodes, upper, depth + 1);
-    nodes.insert(nodes.end(), separate.begin(), separate.end());
-    return choose(nodes[place], half_area(range.bounds), lower_areas, upper_areas);
+    const auto split_upper = [this, &part = upper, depth](std::size_t from) {
+        return split(from, part, depth + 1);
+    };
+    std::size_t upper_place = place + 2 * lower.size();
+    std::future<Part> other;
+    if (depth <= thread_depth && upper.size() >= thread_size)
+        other = std::async(split_upper, upper_place);
+    const Part low = split(place + 1, lower, depth + 1);
+    if (!other.valid()) upper_place = low.end;
+    const Part high = other.valid() ? other.get() : split_upper(upper_place);
+    node.to_upper = std::uint32_t(upper_place - place);
+    return {.end = high.end,
+            .leaves = low.leaves + high.leaves,
+            .areas = choose(node, half_area(range.bounds), low.areas, high.areas)};
 }
 
 /// Appends the tree of a range, and returns the reference to its root.
@@ -201,7 +205,7 @@ std::uint32_t BvhBuilder::add(Bvh& tree, const BinaryNode& node) const {
     for (std::size_t row = 0; row < planes.size(); ++row)
         planes[row].fill(row % 2 == 0 ? Box4::end : -Box4::end);
     std::array<std::uint32_t, Node::width> references;
-    references.fill(Node::leaf_bit);  // reached only through NaN
+    references.fill(Node::leaf_bit);  // reached only by a ray that enters every box
     const std::size_t place = tree.nodes_.size();
     tree.nodes_.emplace_back();
     for (std::size_t i = 0; i < children.size(); ++i) {
@@ -227,16 +231,17 @@ std::vector<Bvh::Part> Bvh::parts() const {
             parts[place].leaf = child & ~Node::leaf_bit;
             continue;
         }
+        const Node& node = nodes_[child];
         for (std::size_t i = 0; i < Node::width; ++i) {
-            if (!has_child(nodes_[child], i)) continue;
+            if (std::bit_cast<std::array<float, Node::width>>(node.planes[0])[i] == Box4::end)
+                continue;  // an unused box
             parts.push_back({.parent = place, .leaf = {}});
-            children.push_back(nodes_[child].children[i]);
+            children.push_back(node.children[i]);
         }
     }
     return parts;
 }
 
 }  // namespace RT_LANES
-
 }  // namespace RT_PRECISION
 }  // namespace rt

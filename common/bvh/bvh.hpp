@@ -111,12 +111,6 @@ template <QueryKind query, class Test, class Visit, class Expect>
 bool Bvh::visit_leaves(const Test& slabs, const Interval& interval, Visit visit,
                        [[maybe_unused]] Expect expect) const {
     if (empty() || !(interval.min < interval.max)) return false;
-    if (!slabs.is_reliable()) {
-        for (std::size_t leaf = 0; leaf < leaves_.size(); ++leaf)
-            if (visit(leaf)) return true;
-        return false;
-    }
-    if (slabs.misses_all()) return false;
     constexpr bool sorts = query == QueryKind::closest_hit;
     // The entries are children, and above the bits of each, if they are sorted, the distance at
     // which the ray enters its box: it is not negative, so that its bits have the same order.
@@ -134,6 +128,10 @@ bool Bvh::visit_leaves(const Test& slabs, const Interval& interval, Visit visit,
             if constexpr (requires { visit.node(); }) visit.node();
             const auto answer = slabs(node, limit);
             unsigned hits = answer.hits;
+            if (std::has_single_bit(hits)) {  // most often, and there is no time to prefetch it
+                child = node.children[pop_lowest_bit(hits)];
+                continue;
+            }
             const auto next_hit = [&] {
                 const std::size_t i = pop_lowest_bit(hits);
                 const std::uint32_t hit = node.children[i];
@@ -187,6 +185,5 @@ bool Bvh::visit_boxes(RayBoxTestCache& ray, const Interval& interval, Visit visi
 }
 
 }  // namespace RT_LANES
-
 }  // namespace RT_PRECISION
 }  // namespace rt

@@ -11,7 +11,6 @@
 
 namespace rt {
 inline namespace RT_PRECISION {
-
 inline namespace RT_LANES {
 
 namespace {
@@ -128,10 +127,11 @@ std::int64_t MeshBvh::test_count(const Ray& ray, Interval interval, QueryKind qu
     std::int64_t count = 0;
     const auto visit = [&](std::size_t leaf) {
         count += std::int64_t(real_count);
-        const Crossings found = crossings(test, leaf, left);
-        for (unsigned hits = found.hits; hits != 0;)
-            left.max = std::min(left.max, lane(found.t, pop_lowest_bit(hits)));
-        return query == QueryKind::any_hit && found.hits != 0;
+        return with_crossings(ray, test, leaf, left, [&](const Crossings& found) {
+            for (unsigned hits = found.hits; hits != 0;)
+                left.max = std::min(left.max, lane(found.t, pop_lowest_bit(hits)));
+            return query == QueryKind::any_hit && found.hits != 0;
+        });
     };
     const auto slabs = hierarchy_.test_of(seen, RaySlopes(seen.direction));
     const CountingBoxes<decltype(visit)> counting{visit, &count};
@@ -154,17 +154,19 @@ std::int64_t MeshBvh::test_count(const Ray& ray, Interval interval, QueryKind qu
     hierarchy_.visit_leaves<QueryKind::closest_hit>(
         hierarchy_.test_of(seen, slopes), left,
         [&](std::size_t leaf) {
-            const Crossings found = crossings(test, leaf, left);
-            for (unsigned hits = found.hits; hits != 0;) {
-                const std::size_t i = pop_lowest_bit(hits);
-                const Real t = lane(found.t, i);
-                const std::uint32_t index = hierarchy_.leaves()[leaf].indices[i];
-                if (t > left.max || (t == left.max && index >= triangle)) continue;
-                left.max = t;
-                triangle = index;
-                areas = {lane(found.areas[0], i), lane(found.areas[1], i), lane(found.areas[2], i)};
-            }
-            return false;
+            return with_crossings(ray, test, leaf, left, [&](const Crossings& found) {
+                for (unsigned hits = found.hits; hits != 0;) {
+                    const std::size_t i = pop_lowest_bit(hits);
+                    const Real t = lane(found.t, i);
+                    const std::uint32_t index = hierarchy_.leaves()[leaf].indices[i];
+                    if (t > left.max || (t == left.max && index >= triangle)) continue;
+                    left.max = t;
+                    triangle = index;
+                    areas = {lane(found.areas[0], i), lane(found.areas[1], i),
+                             lane(found.areas[2], i)};
+                }
+                return false;
+            });
         },
         [this](std::size_t leaf) { expect(leaf); });
     if (!(left.max < scaled(interval).max)) return std::nullopt;
@@ -181,16 +183,16 @@ std::int64_t MeshBvh::test_count(const Ray& ray, Interval interval, QueryKind qu
     return hierarchy_.visit_leaves<QueryKind::any_hit>(
         hierarchy_.test_of(seen, slopes), left,
         [&](std::size_t leaf) {
-            const Crossings found = crossings(test, leaf, left);
-            for (unsigned hits = found.hits; hits != 0;)
-                if (lane(found.t, pop_lowest_bit(hits)) < left.max) return true;
-            return false;
+            return with_crossings(ray, test, leaf, left, [&](const Crossings& found) {
+                for (unsigned hits = found.hits; hits != 0;)
+                    if (lane(found.t, pop_lowest_bit(hits)) < left.max) return true;
+                return false;
+            });
         },
         [this](std::size_t leaf) { expect(leaf); });
 }
 #endif
 
 }  // namespace RT_LANES
-
 }  // namespace RT_PRECISION
 }  // namespace rt

@@ -12,7 +12,6 @@
 
 namespace rt {
 inline namespace RT_PRECISION {
-
 inline namespace RT_LANES {
 
 /// The triangles of a mesh, copied: the mesh itself is not used after construction.
@@ -45,15 +44,19 @@ private:
         return {.min = scale_ * interval.min, .max = scale_ * interval.max};
     }
 
-    /// The hits on the triangles of a leaf, those at interval.max included.
-    [[nodiscard]] Crossings crossings(const WatertightTest& test, std::size_t leaf,
-                                      const Interval& interval) const {
-        if (!careful_.empty() && careful_[leaf] != 0) [[unlikely]]
-            return has_float_packets()
-                       ? test.carefully(float_packets_[leaf], interval, careful_[leaf])
-                       : test.carefully(packets_[leaf], interval, careful_[leaf]);
-        return has_float_packets() ? test(float_packets_[leaf], interval)
-                                   : test(packets_[leaf], interval);
+    /// Returns use(crossings) for the hits of the ray, for which `test` is, on the triangles of a
+    /// leaf, those at interval.max included. A function of them: g++ would copy them otherwise.
+    template <class Use>
+    [[gnu::always_inline]] bool with_crossings(const Ray& ray, const WatertightTest& test,
+                                               std::size_t leaf, const Interval& interval,
+                                               Use use) const {
+        const auto with = [&](const auto& packet) {
+            if (!careful_.empty() && careful_[leaf] != 0) [[unlikely]]
+                return use(
+                    WatertightTest::carefully(scaled(ray), packet, interval, careful_[leaf]));
+            return use(test(packet, interval));
+        };
+        return has_float_packets() ? with(float_packets_[leaf]) : with(packets_[leaf]);
     }
 
     /// The packet of a leaf as Real, for one triangle after the other.
@@ -82,6 +85,5 @@ private:
 };
 
 }  // namespace RT_LANES
-
 }  // namespace RT_PRECISION
 }  // namespace rt

@@ -6,6 +6,7 @@
 #include "common/math/vector.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +15,6 @@
 
 namespace rt {
 inline namespace RT_PRECISION {
-
 inline namespace RT_LANES {
 
 /// The coordinate system of the boxes: all of them lie between -1 and 1 along every axis. In this
@@ -48,9 +48,12 @@ struct RaySlopes {
     std::array<Real, 4> of_axes;  ///< direction / size, and 1 / size
 
     [[gnu::always_inline]] explicit RaySlopes(const Vec3& d) {
+        const RealX4 lanes = lanes_of<Real>(d.x, d.y, d.z, 1);
         size = largest_component(d);
-        longest = std::size_t(std::fabs(d.x) != size) * (1 + std::size_t(std::fabs(d.y) != size));
-        of_axes = values(lanes_of<Real>(d.x, d.y, d.z, 1) / broadcast(size));
+        // Bit 2 is the last axis, and set in any case: NaN is not equal to itself.
+        longest = std::size_t(
+            std::countr_zero(4 | mask_bits(broadcast(size) <= max(lanes, broadcast(0) - lanes))));
+        of_axes = values(lanes / broadcast(size));
     }
 };
 
@@ -77,27 +80,26 @@ public:
         if (distance > 2) {
             start_ = (distance - 2) / speed_;
             place += start_ * (frame.scale * direction);
-            passes_by_ = largest_component(place) > 5;
         }
         const Real real_slack = displacement * (distance + 1);
         slack_ = float(real_slack) + float_slack;
         // At a lower speed, the errors of components rounded to multiples of the smallest number
         // add up.
         constexpr Real slowest = std::numeric_limits<Real>::denorm_min() / unit_roundoff;
-        is_reliable_ = real_slack <= 1 && slowest <= speed_ && speed_ < infinity;
+        constexpr float endless = std::numeric_limits<float>::infinity();
+        if (!(real_slack <= 1 && slowest <= speed_ && speed_ < infinity)) [[unlikely]] {
+            start_ = 0;
+            speed_ = 1;
+            slack_ = endless;  // every box is entered at 0
+        } else if (distance > 2 && largest_component(place) > 5) {
+            slack_ = -endless;  // the ray passes by
+        }
         if (std::isnan(origin.x + origin.y + origin.z + direction.x + direction.y + direction.z))
-            is_reliable_ = passes_by_ = true;  // NaN must be a miss
+            slack_ = -endless;  // NaN must be a miss
         prepare_axes(lanes_of<float>(float(place.x), float(place.y), float(place.z), 0),
                      lanes_of<float>(float(slopes.of_axes[0]), float(slopes.of_axes[1]),
                                      float(slopes.of_axes[2]), 1));
     }
-
-    /// Returns whether the test is reliable. It is not for an origin so far away that all boxes are
-    /// within rounding error of each other, nor for an infinite number.
-    [[nodiscard]] bool is_reliable() const { return is_reliable_; }
-
-    /// Returns whether the ray misses all boxes of every node.
-    [[nodiscard]] bool misses_all() const { return passes_by_; }
 
     struct Answer {
         /// Distance at which the ray enters each box
@@ -110,11 +112,14 @@ public:
         const FloatN latest = all(limit);
         Answer answer;
         for (std::size_t part = 0; part < std::tuple_size_v<Node::Row>; ++part) {
-            const auto& [x, y, z] = axes_;
-            const FloatN near =
-                max(max(x.near(node, part), y.near(node, part)), max(z.near(node, part), all(0)));
-            const FloatN far =
-                min(min(x.far(node, part), y.far(node, part)), min(z.far(node, part), latest));
+            const auto near_of = [&](std::size_t axis) {
+                return axes_[axis].time(node, (*rows_)[2 * axis], axes_[axis].near_start, part);
+            };
+            const auto far_of = [&](std::size_t axis) {
+                return axes_[axis].time(node, (*rows_)[2 * axis + 1], axes_[axis].far_start, part);
+            };
+            const FloatN near = max(max(near_of(0), near_of(1)), max(near_of(2), all(0)));
+            const FloatN far = min(min(far_of(0), far_of(1)), min(far_of(2), latest));
             std::memcpy(&answer.near[part * float_count], &near, sizeof near);
             answer.hits |= mask_bits(near <= far) << (part * float_count);
         }
@@ -148,16 +153,26 @@ private:
         return all_of<float, float_count>(value);
     }
 
+    /// The row of planes through which a ray enters along each axis, and that through which it
+    /// leaves, as offsets in bytes: computing them from an index would take as long as the test.
+    using Rows = std::array<std::size_t, 6>;
+
+    /// The rows for each combination of backward axes.
+    static constexpr std::array<Rows, 8> rows_of = [] {
+        std::array<Rows, 8> rows{};
+        for (std::size_t backward = 0; backward < rows.size(); ++backward)
+            for (std::size_t i = 0; i < 6; ++i)
+                rows[backward][i] = (i ^ (backward >> (i / 2) & 1)) * sizeof(Node::Row);
+        return rows;
+    }();
+
     /// The ray's coordinates along one axis.
     struct Axis {
         FloatN inverse;     ///< of the direction's component
         FloatN near_start;  ///< the distance of a plane through 0, less the slack
         FloatN far_start;   ///< the same, and the slack
-        std::size_t near_plane;
-        std::size_t far_plane;
 
-        /// The time at a row of planes. The row is an offset in bytes: computing it from an index
-        /// would take as long as the test.
+        /// The time at a row of planes.
         [[nodiscard, gnu::always_inline]] FloatN time(const Node& node, std::size_t row,
                                                       FloatN start, std::size_t part) const {
             FloatN plane;
@@ -165,14 +180,6 @@ private:
             std::memcpy(&plane, bytes + row + part * sizeof plane, sizeof plane);
             if constexpr (fused) return multiply_add(plane, inverse, start);
             return plane * inverse + start;
-        }
-
-        [[nodiscard, gnu::always_inline]] FloatN near(const Node& node, std::size_t part) const {
-            return time(node, near_plane, near_start, part);
-        }
-
-        [[nodiscard, gnu::always_inline]] FloatN far(const Node& node, std::size_t part) const {
-            return time(node, far_plane, far_start, part);
         }
     };
 
@@ -186,23 +193,22 @@ private:
         const Float4 reach = max(inverse, zero - inverse) * broadcast_float(slack_);
         const Float4 near_start = start - reach;
         const Float4 far_start = start + reach;
-        const std::size_t backward = mask_bits(inverse < zero);
+        rows_ = &rows_of[mask_bits(inverse < zero) & 7];
         const auto axis = [&](std::size_t i) {
-            const std::size_t near_plane = (2 * i + (backward >> i & 1)) * sizeof(Node::Row);
             return Axis{.inverse = all(lane(inverse, i)),
                         .near_start = all(lane(near_start, i)),
-                        .far_start = all(lane(far_start, i)),
-                        .near_plane = near_plane,
-                        .far_plane = near_plane ^ sizeof(Node::Row)};
+                        .far_start = all(lane(far_start, i))};
         };
         axes_ = {axis(0), axis(1), axis(2)};
     }
 
     Real start_ = 0;  ///< t of the start
     Real speed_;      ///< increase of distance for each unit of t
-    float slack_;     ///< upper bound on the error of the ray's position
-    bool is_reliable_;
-    bool passes_by_ = false;
+    /// Upper bound on the error of the ray's position: infinite if there is none, because the
+    /// origin is so far away that all boxes are within rounding error of each other, or a number is
+    /// infinite. The negative of that if the ray misses all boxes.
+    float slack_;
+    const Rows* rows_;
     std::array<Axis, 3> axes_;
 };
 
@@ -227,6 +233,5 @@ private:
 };
 
 }  // namespace RT_LANES
-
 }  // namespace RT_PRECISION
 }  // namespace rt

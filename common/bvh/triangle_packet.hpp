@@ -12,7 +12,6 @@
 
 namespace rt {
 inline namespace RT_PRECISION {
-
 inline namespace RT_LANES {
 
 /// Triangles, one in each lane. NaN in the unused lanes makes them miss. `Number` is float, in
@@ -72,35 +71,42 @@ public:
         const Sheared a = sheared(packet.vertices[0]);
         const Sheared b = sheared(packet.vertices[1]);
         const Sheared c = sheared(packet.vertices[2]);
-        const std::array areas = areas_of(a, b, c);
-        const auto& [alpha, beta, gamma] = areas;
+        // One by one: g++ would copy an array of them in parts that it stores and loads again.
+        const RealN alpha = area(b, c);
+        const RealN beta = area(c, a);
+        const RealN gamma = area(a, b);
         const RealN t =
             (alpha * a.z + beta * b.z + gamma * c.z) / (alpha + beta + gamma) * inverse_z_;
         // NaN must miss: t is NaN if an area is NaN, or if all three are 0.
         const auto inside = (all(interval.min) < t) & (t <= all(interval.max));
-        return {.areas = areas, .t = t, .hits = mask_bits(surrounds(areas) & inside)};
+        return {.areas = {alpha, beta, gamma},
+                .t = t,
+                .hits = mask_bits(surrounds(alpha, beta, gamma) & inside)};
     }
 
     /// The same, but the triangles in the lanes of `chosen` are tested one after the other as in
     /// stage 5: with areas of 1.5 ulp, which are products of lengths in units of the triangle's own
-    /// size. So they neither cancel, however narrow the triangle is, nor underflow.
+    /// size. So they neither cancel, however narrow the triangle is, nor underflow. The ray is
+    /// prepared again: a reference to one that is would keep it in memory for the other packets.
     template <class Number>
-    [[nodiscard, gnu::noinline]] Crossings carefully(const TrianglePacket<Number>& packet,
-                                                     const Interval& interval,
-                                                     unsigned chosen) const {
-        Crossings found = (*this)(packet, interval);
-        const Sheared a = sheared(packet.vertices[0]);
-        const Sheared b = sheared(packet.vertices[1]);
-        const Sheared c = sheared(packet.vertices[2]);
+    [[nodiscard, gnu::noinline]] static Crossings carefully(const Ray& ray,
+                                                            const TrianglePacket<Number>& packet,
+                                                            Interval interval, unsigned chosen) {
+        const WatertightTest test(ray);
+        Crossings found = test(packet, interval);
+        const Sheared a = test.sheared(packet.vertices[0]);
+        const Sheared b = test.sheared(packet.vertices[1]);
+        const Sheared c = test.sheared(packet.vertices[2]);
         found.hits &= ~chosen;
         // A rounded area may be 0, but has no wrong sign: no other lane is hit.
-        for (unsigned left = chosen & mask_bits(surrounds(areas_of(a, b, c))); left != 0;) {
+        for (unsigned left = chosen & mask_bits(surrounds(area(b, c), area(c, a), area(a, b)));
+             left != 0;) {
             const std::size_t i = pop_lowest_bit(left);
             const auto corner = [i](const Sheared& seen) {
                 return Vec3(lane(seen.x, i), lane(seen.y, i), lane(seen.z, i));
             };
             const auto [areas, depth] = crossing(corner(a), corner(b), corner(c));
-            const Real t = depth * lane(inverse_z_, i);
+            const Real t = depth * lane(test.inverse_z_, i);
             for (glm::length_t k = 0; k < 3; ++k) set_lane(found.areas[k], i, areas[k]);
             set_lane(found.t, i, t);
             if (interval.min < t && t <= interval.max) found.hits |= 1U << i;
@@ -124,22 +130,22 @@ private:
     template <class Number>
     [[nodiscard, gnu::always_inline]] Sheared sheared(
         const std::array<LanesOf<Number, real_count>, 3>& vertex) const {
-        const RealN z = real_of(vertex[z_]) - origin_z_;
-        return {.x = real_of(vertex[x_]) - origin_x_ - shear_x_ * z,
-                .y = real_of(vertex[y_]) - origin_y_ - shear_y_ * z,
-                .z = z};
+        Sheared result;
+        result.z = real_of(vertex[z_]) - origin_z_;
+        result.x = real_of(vertex[x_]) - origin_x_ - shear_x_ * result.z;
+        result.y = real_of(vertex[y_]) - origin_y_ - shear_y_ * result.z;
+        return result;
     }
 
-    [[nodiscard, gnu::always_inline]] static std::array<RealN, 3> areas_of(const Sheared& a,
-                                                                           const Sheared& b,
-                                                                           const Sheared& c) {
-        return {b.x * c.y - b.y * c.x, c.x * a.y - c.y * a.x, a.x * b.y - a.y * b.x};
+    /// Twice the area of the ray's point and two corners.
+    [[nodiscard, gnu::always_inline]] static RealN area(const Sheared& p, const Sheared& q) {
+        return p.x * q.y - p.y * q.x;
     }
 
     /// The triangles around the ray, or with it on an edge.
-    [[nodiscard, gnu::always_inline]] static MaskOf<Real, real_count> surrounds(
-        const std::array<RealN, 3>& areas) {
-        const auto& [alpha, beta, gamma] = areas;
+    [[nodiscard, gnu::always_inline]] static MaskOf<Real, real_count> surrounds(RealN alpha,
+                                                                                RealN beta,
+                                                                                RealN gamma) {
         const RealN zero = all(0);
         return (zero <= min(min(alpha, beta), gamma)) | (max(max(alpha, beta), gamma) <= zero);
     }
@@ -182,6 +188,5 @@ private:
 };
 
 }  // namespace RT_LANES
-
 }  // namespace RT_PRECISION
 }  // namespace rt
