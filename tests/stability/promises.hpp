@@ -37,7 +37,7 @@ inline constexpr Bars promised<Square> = {.off = 15, .band = 3};
 template <>
 inline constexpr Bars promised<Cylinder> = {.off = 31, .band = 4};
 template <>
-inline constexpr Bars promised<Cone> = {.off = 14, .band = 3};
+inline constexpr Bars promised<Cone> = {.off = 14, .band = 6};
 template <>
 inline constexpr Bars promised<OrientedBox> = {.off = 34, .band = 4};
 
