@@ -5,7 +5,6 @@
 #include "common/contract/files.hpp"
 #include "common/contract/probes.hpp"
 #include "common/course/authoring/known_mistakes.hpp"
-#include "common/system/files.hpp"
 #include "common/system/process.hpp"
 
 #include <chrono>
@@ -27,8 +26,8 @@ struct Answers {
     /// The names of the other right answers.
     [[nodiscard]] std::vector<std::string> alternatives() const {
         std::vector<std::string> names;
-        for (const auto& file : files_in(project / "tests/alternatives" / stage, ".cpp"))
-            names.push_back(file.stem().string());
+        for (const RightAnswer& right : read_right_answers(project, stage))
+            names.push_back(right.name);
         return names;
     }
 

@@ -20,10 +20,10 @@ cp -R "$parts/stage/." .
 for name in main starter/main; do cp steps/step13_meshes/main.cpp steps/$stage/$name.cpp; done
 sed -i "s|.*/meshes.hpp\"|&\n#include \"steps/$stage/torus.hpp\"|; s|.*scene.meshes);|&\nquery.test(scene.tori);|" \
     steps/$stage/main.cpp
-mkdir tests/alternatives/$stage
 for halvings in 48 56 72; do
-    sed "s/halving < 64/halving < $halvings/" steps/$stage/reference/torus.cpp > tests/alternatives/$stage/$halvings.cpp
-done
+    echo "// right halvings_$halvings: that many halvings"
+    sed "s/halving < 64/halving < $halvings/" steps/$stage/reference/torus.cpp
+done > tests/alternatives/$stage.cpp
 for place in pictures gallery; do cp docs/pictures/small/$stage.png docs/$place; done
 
 # The page's table as lines PLACE|WHO|WHERE|WORDS.

@@ -92,9 +92,9 @@ submit() {
             right)
                 cp "$project/steps/$stage/reference/"*.cpp "$place"
                 points=$(points_of "$build/${stage}_reference_worker" "$stage")
-                right=$(pick 0 "$project/tests/alternatives/$stage/main"/*.cpp)
-                if [ -e "$right" ]; then
-                    cp "$right" "${file%.cpp}_main.cpp"
+                right=$(sed -n 's|^// right \([^:]*\):.*|\1|p' "$project/tests/alternatives/${stage}_trace.cpp" | head -n 1)
+                if [ -n "$right" ]; then
+                    "$build/known_mistakes" "$project" "${stage}_trace" "$right" > "${file%.cpp}_main.cpp"
                     points=$((points + $(points_of "$build/${stage}_reference_worker" "${stage}_trace")))
                 fi
                 ;;

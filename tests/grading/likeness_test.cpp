@@ -1,5 +1,6 @@
 // Files that are alike, and files that only answer the same question.
 #include "common/course/grade/results/likeness.hpp"
+#include "common/course/authoring/known_mistakes.hpp"
 #include "common/course/grade/results/copy_of_main.hpp"
 #include "common/course/grade/results/winnowing.hpp"
 #include "common/stages/stages.hpp"
@@ -48,6 +49,11 @@ std::string text_of(const std::string& file) {
     return read_text(project / file);
 }
 
+std::string right_answer(const std::string& suite, const std::string& name) {
+    const std::vector<RightAnswer> answers = read_right_answers(project, suite);
+    return std::ranges::find(answers, name, &RightAnswer::name)->text;
+}
+
 std::string replaced(std::string text, const std::string& what, const std::string& with) {
     for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at))
         text.replace(at, what.size(), with), at += with.size();
@@ -92,7 +98,7 @@ TEST_CASE("macros, spliced lines and lambdas around an answer leave its tokens")
 }
 
 TEST_CASE("a file stays near when its code is in a macro, and when each value is a lambda's") {
-    const std::string file = text_of("tests/alternatives/step03_sphere/textbook.cpp");
+    const std::string file = right_answer("step03_sphere", "textbook");
     std::string macro = "#include \"steps/step03_sphere/sphere.hpp\"\n#define ALL \\\n";
     for (const std::string& line : lines_of(file))
         if (!line.starts_with("#")) macro += line.substr(0, line.find("//")) + " \\\n";
@@ -133,11 +139,11 @@ TEST_CASE("right answers that were written apart are not near") {
     Class results;
     for (int stage = 1; stage <= int(stage_names.size()); ++stage) {
         const std::string name(stage_name(stage));
-        std::vector<fs::path> files = files_in(project / "steps" / name / "reference", ".cpp");
-        for (const fs::path& file : files_in(project / "tests/alternatives" / name, ".cpp"))
-            files.push_back(file);
-        REQUIRE(files.size() > 2);
-        for (const fs::path& file : files) results.hand_in(file.stem(), stage, read_text(file));
+        for (const fs::path& file : files_in(project / "steps" / name / "reference", ".cpp"))
+            results.hand_in(file.stem(), stage, read_text(file));
+        const std::vector<RightAnswer> others = read_right_answers(project, name);
+        REQUIRE(others.size() > 1);
+        for (const RightAnswer& other : others) results.hand_in(other.name, stage, other.text);
     }
     const Similarity found = results.found();
     CHECK(found.same.empty());
@@ -147,14 +153,14 @@ TEST_CASE("right answers that were written apart are not near") {
 
 TEST_CASE("a file stays near whatever it is renamed to, and with a line here and there") {
     Class results;
-    const std::string file = text_of("tests/alternatives/step03_sphere/textbook.cpp");
+    const std::string file = right_answer("step03_sphere", "textbook");
     std::string edited = "// all mine\n" + file;
     for (const auto& [what, with] : {std::pair{"Real", "double"}, {"sphere", "ball"}, {"ray", "r"}})
         edited = replaced(edited, what, with);
     edited = replaced(edited, "return", "const int unused = 0;\n    return");
     results.hand_in("anna", 3, file);
     results.hand_in("ben", 3, edited);
-    results.hand_in("carl", 3, text_of("tests/alternatives/step03_sphere/geometric.cpp"));
+    results.hand_in("carl", 3, right_answer("step03_sphere", "geometric"));
     const Similarity found = results.found();
     CHECK(found.same.empty());
     REQUIRE(found.near.size() == 1);
@@ -173,8 +179,7 @@ TEST_CASE("files with trace are compared, apart from what the project gives") {
     results.hand_in_trace("carl", given);
     results.hand_in_trace("dora", given + "// mine");
     for (const char* name : {"every_light_is_tried", "without_a_log"})
-        results.hand_in_trace(
-            name, text_of("tests/alternatives/step10_shadows/main/" + std::string(name) + ".cpp"));
+        results.hand_in_trace(name, right_answer("step10_shadows_trace", name));
     const Similarity found = results.found();
     CHECK(found.same.empty());
     REQUIRE(found.near.size() == 1);
@@ -185,7 +190,7 @@ TEST_CASE("files with trace are compared, apart from what the project gives") {
 
 TEST_CASE("passages of many students count little") {
     Class results;
-    const std::string file = text_of("tests/alternatives/step03_sphere/textbook.cpp");
+    const std::string file = right_answer("step03_sphere", "textbook");
     for (unsigned i = 0; i < 10; ++i)
         results.hand_in("student " + std::to_string(i), 3, file + noise(80, i));
     CHECK(results.found().near.empty());
@@ -198,7 +203,7 @@ TEST_CASE("passages of many students count little") {
 }
 
 TEST_CASE("a statement after every line hides no likeness") {
-    const std::string file = text_of("tests/alternatives/step03_sphere/textbook.cpp");
+    const std::string file = right_answer("step03_sphere", "textbook");
     for (const std::string filler : {"if (false) std::abs(1.0);", "[[maybe_unused]] int q = 1;"}) {
         Class results;
         results.hand_in("anna", 3, file);
@@ -257,9 +262,9 @@ TEST_CASE("a copy of the project's main.cpp is one with other comments, names or
         const bool is_a_line = stage >= 4 && stage <= 8;
         CHECK(is_copy(without_comments) == (!is_a_line && stage != 13));
         CHECK_FALSE(is_copy(starter));
-        for (const fs::path& file :
-             files_in(project / "tests/alternatives" / stage_name(stage) / "main", ".cpp"))
-            CHECK_FALSE(is_copy(read_text(file)));
+        for (const RightAnswer& other :
+             read_right_answers(project, std::string(stage_name(stage)) + "_trace"))
+            CHECK_FALSE(is_copy(other.text));
     }
     // The starter of stage 5 with the one line that it lacks.
     const std::string starter = text_of("steps/step05_triangle/starter/main.cpp");
@@ -279,8 +284,7 @@ TEST_CASE("a main.cpp with a few changes is reported as like the project's own, 
     CHECK_FALSE(is_copy_of_main(declared, ours, text_of(folder + "/starter/main.cpp")));
     Class results;
     results.hand_in_trace("anna", declared);
-    results.hand_in_trace(
-        "ben", text_of("tests/alternatives/step10_shadows/main/every_light_is_tried.cpp"));
+    results.hand_in_trace("ben", right_answer("step10_shadows_trace", "every_light_is_tried"));
     const Similarity found = results.found();
     REQUIRE(found.like_main.size() == 1);
     CHECK(found.like_main[0].student == "anna");
@@ -289,7 +293,7 @@ TEST_CASE("a main.cpp with a few changes is reported as like the project's own, 
 
 TEST_CASE("students with the same file are reported once, and not for the starter") {
     Class results;
-    const std::string file = text_of("tests/alternatives/step03_sphere/textbook.cpp");
+    const std::string file = right_answer("step03_sphere", "textbook");
     const std::string starter = text_of("steps/step03_sphere/starter/sphere.cpp");
     results.hand_in("anna", 3, file, "17");
     results.hand_in("ben", 3, file, "17");
@@ -309,7 +313,7 @@ TEST_CASE("students with the same file are reported once, and not for the starte
 
 TEST_CASE("a file that is larger than handwritten is not read") {
     Class results;
-    const std::string file = text_of("tests/alternatives/step03_sphere/textbook.cpp");
+    const std::string file = right_answer("step03_sphere", "textbook");
     results.hand_in("anna", 3, file);
     results.hand_in("ben", 3, file + std::string(300 * 1024, ' '));
     results.hand_in("carl", 3, "");

@@ -1,5 +1,5 @@
 // known_mistakes PROJECT SUITE          one source of all known mistakes and other right answers
-// known_mistakes PROJECT SUITE NAME     the source of one mistake
+// known_mistakes PROJECT SUITE NAME     the source of one of these
 //
 // Writes to the standard output. In the one source, each answer is in a namespace of its own, and
 // the functions of the stage call those of the answer that the environment variable RAYSTEPS_ANSWER
@@ -16,12 +16,7 @@
 namespace {
 
 namespace fs = std::filesystem;
-using rt::KnownMistake;
-
-struct AnswerSource {
-    std::string name;
-    std::string text;
-};
+using rt::KnownMistake, rt::RightAnswer;
 
 /// "Vec3 normal(const Plane& plane, Vec3 point)" in parts.
 struct Function {
@@ -35,21 +30,12 @@ std::string content_of(const fs::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-std::vector<AnswerSource> answers_of(const fs::path& project, const std::string& suite) {
-    std::vector<AnswerSource> answers;
+std::vector<RightAnswer> answers_of(const fs::path& project, const std::string& suite) {
+    std::vector<RightAnswer> answers;
     for (const KnownMistake& mistake : rt::read_known_mistakes(project, suite))
         answers.push_back({mistake.name, source_of(project, suite, mistake)});
-    const bool is_trace = suite.ends_with("_trace");
-    const fs::path folder = project / "tests/alternatives" /
-                            suite.substr(0, suite.size() - (is_trace ? 6 : 0)) /
-                            (is_trace ? "main" : "");
-    std::set<fs::path> files;
-    if (fs::exists(folder))
-        for (const auto& each : fs::directory_iterator(folder))
-            if (each.path().extension() == ".cpp") files.insert(each.path());
-    for (const fs::path& file : files)
-        answers.push_back(
-            {file.stem().string(), rt::without_included_sources(project, content_of(file))});
+    for (const RightAnswer& right : rt::read_right_answers(project, suite))
+        answers.push_back({right.name, rt::without_included_sources(project, right.text)});
     return answers;
 }
 
@@ -149,7 +135,7 @@ std::size_t chosen() {
 )";
 
 void write_all(const fs::path& project, const std::string& suite) {
-    const std::vector<AnswerSource> answers = answers_of(project, suite);
+    const std::vector<RightAnswer> answers = answers_of(project, suite);
     const std::string stage = suite.substr(0, suite.find("_trace"));
     const std::string right = suite == stage
                                   ? "steps/" + stage + "/reference/" + stage.substr(7) + ".cpp"
@@ -157,7 +143,7 @@ void write_all(const fs::path& project, const std::string& suite) {
     const std::vector<Function> functions = functions_in(content_of(project / right));
     std::cout << "#include <cstdio>\n#include <cstdlib>\n#include <cstring>\n#include <iterator>\n";
     std::set<std::string> seen;
-    for (const AnswerSource& answer : answers)
+    for (const RightAnswer& answer : answers)
         for (const std::string& line : lines_of(answer.text))
             if (line.starts_with('#') && seen.insert(line).second) std::cout << line << '\n';
     std::string names;
@@ -176,7 +162,7 @@ void write_all(const fs::path& project, const std::string& suite) {
         std::cout << '\n'
                   << result << name << '(' << parameters << ") {\n    static constexpr " << result
                   << "(*answers[])(" << parameters << ") = {\n";
-        for (const AnswerSource& answer : answers)
+        for (const RightAnswer& answer : answers)
             std::cout << "        ::answer_" << answer.name << "::rt::answer_" << name << ",\n";
         std::cout << "    };\n    return answers[chosen()](" << arguments(parameters) << ");\n}\n";
     }
@@ -184,10 +170,16 @@ void write_all(const fs::path& project, const std::string& suite) {
 }
 
 void write_one(const fs::path& project, const std::string& suite, const std::string& name) {
+    const auto rights = rt::read_right_answers(project, suite);
+    if (const auto right = std::ranges::find(rights, name, &RightAnswer::name);
+        right != rights.end()) {
+        std::cout << right->text;
+        return;
+    }
     const auto mistakes = rt::read_known_mistakes(project, suite);
     const auto mistake = std::ranges::find(mistakes, name, &KnownMistake::name);
     if (mistake == mistakes.end())
-        throw rt::InputError({}, suite + " has no known mistake " + name);
+        throw rt::InputError({}, suite + " has no known mistake or right answer " + name);
     std::cout << source_of(project, suite, *mistake);
 }
 

@@ -11,8 +11,8 @@ stage=steps/step03_sphere
 mine=$stage/student/sphere.cpp
 trace=$stage/student/main.cpp
 
-# mistaken SUITE NAME FILE: the file becomes a known mistake.
-mistaken() {
+# answer SUITE NAME FILE: the file becomes a known mistake, or another right answer.
+answer() {
     cmake --build build --target known_mistakes > log 2>&1 || fail "known_mistakes is built"
     build/known_mistakes . "$1" "$2" > "$3"
 }
@@ -74,15 +74,16 @@ says "Write next: trace, in $trace:"
 says_not "✗ the normal points away"
 course 0 hint 3
 says "step03_sphere, trace, hint 1 of 3"
-mistaken step03_sphere_trace last_hit $trace
+answer step03_sphere_trace last_hit $trace
 course 1 check 3
 says "✗ the closest of several spheres is seen"
 says "sp 0,0,-20 2 0,0,255"
 says_not "✗ a sphere that is alone"
-mistaken step03_sphere_trace dithered $trace
+answer step03_sphere_trace dithered $trace
 course 1 check 3
 says "state keeps its value from one ray to the next: your color may depend"
-cp tests/alternatives/step03_sphere/main/sorted.cpp $trace
+answer step03_sphere_trace sorted sorted.cpp
+cp sorted.cpp $trace
 course 0
 says "changed since "
 course 0 check 3
@@ -95,12 +96,12 @@ if [ "$(nproc)" -gt 1 ]; then
         static const std::thread::id first = std::this_thread::get_id(); \
         if (context.pixel.row == 1 && context.pixel.column == 0) std::this_thread::sleep_for(50ms); \
         if (std::this_thread::get_id() != first) return {1, 0, 0};' \
-        tests/alternatives/step03_sphere/main/sorted.cpp > $trace
+        sorted.cpp > $trace
     course 1 check 3
     says "Drawn again with one thread, your picture is another one."
     says "not the picture"
     says_not "Next: "
-    cp tests/alternatives/step03_sphere/main/sorted.cpp $trace
+    cp sorted.cpp $trace
 fi
 course 0 start 4
 next=steps/step04_plane/student/main.cpp
@@ -211,7 +212,7 @@ course 2 run 4 -o picture.png
 says "error: defined twice: rt::twice("
 says "$mine"
 cp $other/reference/plane.cpp $other/student/plane.cpp
-mistaken step03_sphere subtracts_r_squared $mine
+answer step03_sphere subtracts_r_squared $mine
 course 0 run 4 -o picture.png
 says "your step03_sphere is used: changed since it passed."
 course 0 run 4 --reference 3 -o picture.png
@@ -226,7 +227,7 @@ says "Why? ./course explain 4 --reference 4,1 'my scene.rt'"
 rm -r $other/student "my scene.rt" picture.png
 
 # A wrong answer: the case, the call, the line to paste, and the pixels.
-mistaken step03_sphere near_root_only $mine
+answer step03_sphere near_root_only $mine
 course 1 check 3
 says "You try the smaller root only."
 says_not "near_root_only"
@@ -248,11 +249,11 @@ course 0 explain 3
 says "mine          → missed according to intersect"
 says "reference     → hit at t = 23.7517"
 # The picture is right: the suite's failing call is explained.
-mistaken step03_sphere absolute_epsilon $mine
+answer step03_sphere absolute_epsilon $mine
 course 1 check 3
 course 0 explain 3
 says "The picture cannot show it. The first failing case of the last check: very small spheres"
-mistaken step03_sphere subtracts_r_squared $mine
+answer step03_sphere subtracts_r_squared $mine
 in_french 1 check 3
 says "intersect répond std::nullopt à tous les appels essayés"
 course 1 check 3
@@ -283,7 +284,7 @@ says "outside the picture"
 in_french 0 explain 3
 says "La première différence"
 mv $stage/student away
-french_session 3 $stage/reference/sphere.cpp tests/alternatives/step03_sphere/main/sorted.cpp
+french_session 3 $stage/reference/sphere.cpp sorted.cpp
 rm -r $stage/student
 mv away $stage/student
 touch $stage/student/*  # newer than what is built
@@ -434,11 +435,11 @@ says "Did you mean triangle?"
 
 # The student's loop over the pixels draws stage 1, on one thread.
 mkdir steps/step01_ray_generation/student
-mistaken step01_ray_generation_trace upside_down steps/step01_ray_generation/student/main.cpp
+answer step01_ray_generation_trace upside_down steps/step01_ray_generation/student/main.cpp
 course 0 run 1 --size 3x2 -o mine.png
 course 0 run 1 --size 3x2 -o ours.png --threads 2
 ! cmp -s mine.png ours.png || fail "run 1 draws with the student's loop"
-mistaken step01_ray_generation_trace size_exchanged steps/step01_ray_generation/student/main.cpp
+answer step01_ray_generation_trace size_exchanged steps/step01_ray_generation/student/main.cpp
 course 2 run 1 --size 3x2 -o mine.png
 says "error: "
 rm -r steps/step01_ray_generation/student

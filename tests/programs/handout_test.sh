@@ -100,10 +100,12 @@ grep -q '<text.*pénombre' french/docs/figures/soft_shadow_regions.svg || fail "
 says "expected a language of the pages (fr), not \"de\""
 cd french || exit 1
 terminal_language=C.UTF-8
-french_session 1 "$project/steps/step01_ray_generation/reference/ray_generation.cpp" \
-    "$project/tests/alternatives/step01_ray_generation/main/one_counter.cpp"
+for answer in step01_ray_generation_trace/one_counter step03_sphere_trace/sorted; do
+    "$project/build/known_mistakes" "$project" "${answer%/*}" "${answer#*/}" > "$folder/${answer#*/}.cpp"
+done
+french_session 1 "$project/steps/step01_ray_generation/reference/ray_generation.cpp" "$folder/one_counter.cpp"
 french_session 2 "$project/steps/step02_camera_basis/reference/camera_basis.cpp"
-french_session 3 "$project/$stage/reference/sphere.cpp" "$project/tests/alternatives/step03_sphere/main/sorted.cpp"
+french_session 3 "$project/$stage/reference/sphere.cpp" "$folder/sorted.cpp"
 course 0 --lang en
 says "Commands:"
 course 0

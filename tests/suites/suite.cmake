@@ -196,9 +196,9 @@ function(raysteps_other_answers suite word)
         ${suite}_${word} ${suite}_context ${on_demand})
 endfunction()
 
-# raysteps_known_mistakes(<variable> <folder> <stage[/name]>...): the sources of these mistakes of
-# mistakes/<stage>.txt; without a name, of all of them and of the other right answers, of which
-# RAYSTEPS_ANSWER selects one.
+# raysteps_known_mistakes(<variable> <folder> <suite[/name]>...): the sources of these mistakes of
+# mistakes/<suite>.txt or right answers of alternatives/<suite>.cpp; without a name, of all of them, of
+# which RAYSTEPS_ANSWER selects one.
 function(raysteps_known_mistakes variable folder)
     list(TRANSFORM ARGN REPLACE "(.+)" "${folder}/\\1.cpp" OUTPUT_VARIABLE files)
     set(${variable} ${files} PARENT_SCOPE)
@@ -206,10 +206,9 @@ function(raysteps_known_mistakes variable folder)
         string(REPLACE "/" ";" words ${mistake})
         list(GET words 0 suite)
         string(REGEX REPLACE "_trace$" "" stage ${suite})
-        set(alternatives ${PROJECT_SOURCE_DIR}/tests/alternatives/${stage})
         set(step ${PROJECT_SOURCE_DIR}/steps/${stage})
-        file(GLOB right CONFIGURE_DEPENDS
-            ${alternatives}/*.cpp ${alternatives}/main/*.cpp ${step}/main.cpp ${step}/reference/*.cpp)
+        file(GLOB right CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/alternatives/${suite}.cpp
+            ${step}/main.cpp ${step}/reference/*.cpp)
         get_filename_component(folder_of_file ${file} DIRECTORY)
         file(MAKE_DIRECTORY ${folder_of_file})
         add_custom_command(OUTPUT ${file}
@@ -248,10 +247,14 @@ function(raysteps_answers suite)
             set(words double)
         endif()
     endforeach()
-    string(REGEX REPLACE "_trace$" "/main" folder ${suite})
-    file(GLOB alternatives CONFIGURE_DEPENDS alternatives/${folder}/*.cpp)
-    foreach(file IN LISTS alternatives)  # all of the suite must pass
-        get_filename_component(name ${file} NAME_WE)
+    file(GLOB alternatives CONFIGURE_DEPENDS alternatives/${suite}.cpp)
+    set(lines)
+    if(alternatives)
+        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${alternatives})
+        file(STRINGS ${alternatives} lines REGEX "^// right " ENCODING UTF-8)
+    endif()
+    list(TRANSFORM lines REPLACE "^// right ([a-z0-9_]+):.*" "\\1")
+    foreach(name IN LISTS lines)  # all of the suite must pass
         foreach(word IN ITEMS float double)
             raysteps_add_test(alternative_${suite}_${name}_${word} alternatives
                 "ENVIRONMENT;RAYSTEPS_ANSWER=${name}" ${suite}_answers_test_${word})

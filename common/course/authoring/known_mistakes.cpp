@@ -2,6 +2,7 @@
 
 #include "common/system/input_error.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -11,21 +12,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file that a catalogue calls `reference`, `main.cpp` or by the name of an alternative.
+std::string alternatives_of(const std::string& suite) {
+    return "tests/alternatives/" + suite + ".cpp";
+}
+
+/// The file of what a catalogue calls `reference`, `main.cpp` or by the name of another answer.
 std::string file_of(const std::string& right_answer, const std::string& suite) {
-    const bool is_trace = suite.ends_with("_trace");
-    const std::string stage = suite.substr(0, suite.size() - (is_trace ? 6 : 0));
+    const std::string stage = suite.substr(0, suite.find("_trace"));
     if (right_answer == "main.cpp") return "steps/" + stage + "/main.cpp";
     if (right_answer == "reference")
         return "steps/" + stage + "/reference/" + stage.substr(stage.find('_') + 1) + ".cpp";
-    return "tests/alternatives/" + stage + (is_trace ? "/main/" : "/") + right_answer + ".cpp";
+    return alternatives_of(suite);
 }
 
 /// Reads a catalogue line by line.
 class CatalogueReader {
 public:
     CatalogueReader(const fs::path& project, std::string suite)
-        : project_(project), suite_(std::move(suite)) {}
+        : project_(project),
+          suite_(std::move(suite)),
+          right_answers_(read_right_answers(project, suite_)) {}
 
     std::vector<KnownMistake> read() {
         std::ifstream lines(project_ / catalogue_of(suite_));
@@ -66,6 +72,16 @@ private:
         mistake.right_answer = file_of(right_answer, suite_);
         if (!fs::exists(project_ / mistake.right_answer))
             fail(mistake.right_answer + " does not exist");
+        if (mistake.right_answer == alternatives_of(suite_)) {
+            const auto right = std::ranges::find(right_answers_, right_answer, &RightAnswer::name);
+            if (right == right_answers_.end())
+                fail(mistake.right_answer + " has no answer " + right_answer);
+            mistake.right_text = right->text;
+            mistake.right_answer += ", " + right_answer;
+        } else {
+            std::ifstream file(project_ / mistake.right_answer);
+            mistake.right_text.assign(std::istreambuf_iterator<char>(file), {});
+        }
         mistakes_.push_back(std::move(mistake));
         is_in_group_ = false;
     }
@@ -102,6 +118,7 @@ private:
 
     const fs::path& project_;
     std::string suite_;
+    std::vector<RightAnswer> right_answers_;
     int number_ = 0;
     bool is_in_group_ = false;
     std::vector<KnownMistake> mistakes_;
@@ -111,6 +128,20 @@ private:
 
 std::string catalogue_of(const std::string& suite) {
     return "tests/mistakes/" + suite + ".txt";
+}
+
+std::vector<RightAnswer> read_right_answers(const fs::path& project, const std::string& suite) {
+    const std::string mark = "// right ";
+    std::vector<RightAnswer> answers;
+    std::ifstream lines(project / alternatives_of(suite));
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with(mark))
+            answers.push_back({line.substr(mark.size(), line.find(':') - mark.size()), ""});
+        if (!answers.empty()) answers.back().text += line + "\n";
+    }
+    for (RightAnswer& answer : answers)  // blank lines before the next one
+        while (answer.text.ends_with("\n\n")) answer.text.pop_back();
+    return answers;
 }
 
 std::vector<KnownMistake> read_known_mistakes(const fs::path& project, const std::string& suite) {

@@ -7,7 +7,7 @@
 //     -    for (const Real t : {(-b - root) / (2 * a), (-b + root) / (2 * a)})
 //     +    for (const Real t : {(-b + root) / (2 * a), (-b - root) / (2 * a)})
 //
-// The right answer is `reference`, `main.cpp`, or the name of a file of tests/alternatives. A blank
+// The right answer is `reference`, `main.cpp`, or one of tests/alternatives/<suite>.cpp. A blank
 // line ends a group of lines: those that begin with "-" or " " must be found once in the right
 // answer, and those with "+" or " " replace them. A group of new lines only stands at the end of
 // the namespace. "in reference around normal": the reference's `normal` is called `correct_normal`.
@@ -29,13 +29,25 @@ struct KnownMistake {
     };
 
     std::string name;
-    std::string right_answer;         ///< its file, relative to the project's folder
+    std::string right_answer;         ///< its file, and its name if the file contains several
+    std::string right_text;           ///< its whole source
     std::vector<std::string> around;  ///< functions whose names get "correct_" before them
     std::string origin;
     std::string caught_by;  ///< a case of the suite
     std::string sentence;
     std::vector<Change> changes;
 };
+
+/// A right answer beside the reference: a part of tests/alternatives/<suite>.cpp, which is a whole
+/// source. Its first line is "// right NAME: in what it differs".
+struct RightAnswer {
+    std::string name;
+    std::string text;
+};
+
+/// The other right answers of a suite, by name; none without a file.
+[[nodiscard]] std::vector<RightAnswer> read_right_answers(const std::filesystem::path& project,
+                                                          const std::string& suite);
 
 /// The catalogue of a suite, "step03_sphere" or "step03_sphere_trace".
 [[nodiscard]] std::string catalogue_of(const std::string& suite);

@@ -16,12 +16,21 @@ namespace fs = std::filesystem;
 
 using Lines = std::vector<std::string>;
 
-Lines lines_in(const fs::path& file) {
-    std::ifstream in(file);
-    if (!in) throw InputError({file.generic_string()}, "cannot be read");
+Lines lines_of(std::istream& in) {
     Lines lines;
     for (std::string line; std::getline(in, line);) lines.push_back(line);
     return lines;
+}
+
+Lines lines_of(const std::string& text) {
+    std::istringstream in(text);
+    return lines_of(in);
+}
+
+Lines lines_in(const fs::path& file) {
+    std::ifstream in(file);
+    if (!in) throw InputError({file.generic_string()}, "cannot be read");
+    return lines_of(in);
 }
 
 std::string joined(const Lines& lines) {
@@ -120,18 +129,14 @@ void add(Parts& parts, const fs::path& project, const Lines& lines, const Names&
 }  // namespace
 
 std::string without_included_sources(const fs::path& project, const std::string& text) {
-    Lines lines;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);) lines.push_back(line);
     Parts parts;
-    add(parts, project, lines, {});
+    add(parts, project, lines_of(text), {});
     return joined(parts.head) + joined(parts.body);
 }
 
 std::string source_of(const fs::path& project, const std::string& suite,
                       const KnownMistake& mistake) {
-    Lines lines =
-        after_changes(mistake, lines_in(project / mistake.right_answer), catalogue_of(suite));
+    Lines lines = after_changes(mistake, lines_of(mistake.right_text), catalogue_of(suite));
     for (const std::string& function : mistake.around)
         for (std::string& line : lines)
             if (!line.starts_with('#')) line = renamed(line, function, "correct_" + function);

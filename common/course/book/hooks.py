@@ -164,7 +164,7 @@ def mistake_text(suite, mistake):
     name, right, around, origin, case, sentence, change = mistake
     stage = suite.removesuffix("_trace")
     files = {"main.cpp": f"steps/{stage}/main.cpp", "reference": f"steps/{stage}/reference/{stage[7:]}.cpp"}
-    file = files.get(right, f"tests/alternatives/{stage}/{'main/' if suite != stage else ''}{right}.cpp")
+    file = files.get(right, f"tests/alternatives/{suite}.cpp")
     calls = f", called around as <code>correct_{around}</code>" if around else ""
     return f"""### {name}
 

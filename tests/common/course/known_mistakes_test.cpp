@@ -25,8 +25,8 @@ public:
               "#include <cmath>\n\nnamespace rt {\n\nReal near() {\n    return 1;\n}\n\n"
               "Real both() {\n    const Real t = near();\n    return t + nearest(t);\n}\n\n"
               "}  // namespace rt\n");
-        write("tests/alternatives/step03_sphere/other.cpp",
-              "#define near(...) correct_near(__VA_ARGS__)\n"
+        write("tests/alternatives/step03_sphere.cpp",
+              "// right other: twice as far\n#define near(...) correct_near(__VA_ARGS__)\n"
               "#include \"steps/step03_sphere/reference/sphere.cpp\"\n#undef near\n\n"
               "namespace rt {\n\nReal near() {\n    return 2;\n}\n\n}  // namespace rt\n");
         write("tests/mistakes/step03_sphere.txt", catalogue);
@@ -109,7 +109,7 @@ TEST_CASE("a catalogue that is not complete is an error with its place") {
     CHECK(source(head) == error(4, "far ends here without a change"));
     CHECK(source(head + change + "\n" + head + change) == error(8, "far is there twice"));
     CHECK(source("mistake far in textbook\n") ==
-          error(1, "tests/alternatives/step03_sphere/textbook.cpp does not exist"));
+          error(1, "tests/alternatives/step03_sphere.cpp has no answer textbook"));
     CHECK(source("mistake far\n") == error(1, "expected \"mistake NAME in RIGHT_ANSWER\""));
     CHECK(contains(source(head + "return 1;\n"), "step03_sphere.txt:5: error: expected "));
 }

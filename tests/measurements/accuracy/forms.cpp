@@ -30,175 +30,175 @@ namespace sphere_textbook {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/alternatives/step03_sphere/textbook.cpp"
+#include "answers/step03_sphere/textbook.cpp"
 }  // namespace sphere_textbook
 
 namespace sphere_citardauq {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/alternatives/step03_sphere/citardauq.cpp"
+#include "answers/step03_sphere/citardauq.cpp"
 }  // namespace sphere_citardauq
 
 namespace sphere_geometric {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/alternatives/step03_sphere/geometric.cpp"
+#include "answers/step03_sphere/geometric.cpp"
 }  // namespace sphere_geometric
 
 namespace sphere_epsilon {
 namespace rt {
 using namespace ::rt;
 }
-#include "mistakes/step03_sphere/absolute_epsilon.cpp"
+#include "answers/step03_sphere/absolute_epsilon.cpp"
 }  // namespace sphere_epsilon
 
 namespace plane_as_printed {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/alternatives/step04_plane/as_printed.cpp"
+#include "answers/step04_plane/as_printed.cpp"
 }  // namespace plane_as_printed
 
 namespace plane_implicit {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/alternatives/step04_plane/implicit.cpp"
+#include "answers/step04_plane/implicit.cpp"
 }  // namespace plane_implicit
 
 namespace plane_unit_direction {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/alternatives/step04_plane/unit_direction.cpp"
+#include "answers/step04_plane/unit_direction.cpp"
 }  // namespace plane_unit_direction
 
 namespace plane_epsilon {
 namespace rt {
 using namespace ::rt;
 }
-#include "mistakes/step04_plane/epsilon_on_parallel.cpp"
+#include "answers/step04_plane/epsilon_on_parallel.cpp"
 }  // namespace plane_epsilon
 
 namespace triangle_moller_trumbore {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/alternatives/step05_triangle/moller_trumbore.cpp"
+#include "answers/step05_triangle/moller_trumbore.cpp"
 }  // namespace triangle_moller_trumbore
 
 namespace triangle_half_planes {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/alternatives/step05_triangle/half_planes.cpp"
+#include "answers/step05_triangle/half_planes.cpp"
 }  // namespace triangle_half_planes
 
 namespace triangle_signed_areas {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/alternatives/step05_triangle/signed_areas.cpp"
+#include "answers/step05_triangle/signed_areas.cpp"
 }  // namespace triangle_signed_areas
 
 namespace triangle_epsilon {
 namespace rt {
 using namespace ::rt;
 }
-#include "mistakes/step05_triangle/epsilon_on_determinant.cpp"
+#include "answers/step05_triangle/epsilon_on_determinant.cpp"
 }  // namespace triangle_epsilon
 
 namespace triangle_glm {
 namespace rt {
 using namespace ::rt;
 }
-#include "mistakes/step05_triangle/glm_intersect_ray_triangle.cpp"
+#include "answers/step05_triangle/glm_intersect_ray_triangle.cpp"
 }  // namespace triangle_glm
 
 namespace square_own_basis {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/alternatives/step06_square/own_basis.cpp"
+#include "answers/step06_square/own_basis.cpp"
 }  // namespace square_own_basis
 
 namespace square_by_uv {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/alternatives/step06_square/by_uv.cpp"
+#include "answers/step06_square/by_uv.cpp"
 }  // namespace square_by_uv
 
 namespace square_edge_tests {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/alternatives/step06_square/edge_tests.cpp"
+#include "answers/step06_square/edge_tests.cpp"
 }  // namespace square_edge_tests
 
 namespace square_epsilon {
 namespace rt {
 using namespace ::rt;
 }
-#include "mistakes/step06_square/epsilon_on_parallel.cpp"
+#include "answers/step06_square/epsilon_on_parallel.cpp"
 }  // namespace square_epsilon
 
 namespace cylinder_as_printed {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/alternatives/step07_cylinder/as_printed.cpp"
+#include "answers/step07_cylinder/as_printed.cpp"
 }  // namespace cylinder_as_printed
 
 namespace cylinder_axis_taken_away {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/alternatives/step07_cylinder/axis_taken_away.cpp"
+#include "answers/step07_cylinder/axis_taken_away.cpp"
 }  // namespace cylinder_axis_taken_away
 
 namespace cylinder_in_its_frame {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/alternatives/step07_cylinder/in_its_frame.cpp"
+#include "answers/step07_cylinder/in_its_frame.cpp"
 }  // namespace cylinder_in_its_frame
 
 namespace cylinder_epsilon {
 namespace rt {
 using namespace ::rt;
 }
-#include "mistakes/step07_cylinder/epsilon_on_a.cpp"
+#include "answers/step07_cylinder/epsilon_on_a.cpp"
 }  // namespace cylinder_epsilon
 
 namespace cone_textbook {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/alternatives/step08_cone/textbook.cpp"
+#include "answers/step08_cone/textbook.cpp"
 }  // namespace cone_textbook
 
 namespace cone_by_cosine {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/alternatives/step08_cone/by_cosine.cpp"
+#include "answers/step08_cone/by_cosine.cpp"
 }  // namespace cone_by_cosine
 
 namespace cone_in_its_frame {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/alternatives/step08_cone/in_its_frame.cpp"
+#include "answers/step08_cone/in_its_frame.cpp"
 }  // namespace cone_in_its_frame
 
 namespace cone_epsilon {
 namespace rt {
 using namespace ::rt;
 }
-#include "mistakes/step08_cone/epsilon_on_a.cpp"
+#include "answers/step08_cone/epsilon_on_a.cpp"
 }  // namespace cone_epsilon
 
 namespace rt {

@@ -1,0 +1,52 @@
+// right as_printed: MRT §4 as printed
+#define intersect(...) correct_intersect(__VA_ARGS__)
+#include "steps/step04_plane/reference/plane.cpp"
+#undef intersect
+
+namespace rt {
+
+std::optional<Real> intersect(const Ray& ray, const Plane& plane, Interval interval) {
+    const Real t = dot(plane.point - ray.origin, plane.normal) / dot(ray.direction, plane.normal);
+    if (!interval.contains(t)) return std::nullopt;
+    return t;
+}
+
+}  // namespace rt
+
+// right implicit: a x + b y + c z + d = 0 (PHY)
+#define intersect(...) correct_intersect(__VA_ARGS__)
+#include "steps/step04_plane/reference/plane.cpp"
+#undef intersect
+
+namespace rt {
+
+std::optional<Real> intersect(const Ray& ray, const Plane& plane, Interval interval) {
+    const Vec3 n = unit(plane.normal);
+    const Real d = -dot(n, plane.point);
+    const Real approach = dot(n, ray.direction);
+    if (approach == 0) return std::nullopt;
+    const Real t = -(dot(n, ray.origin) + d) / approach;
+    if (!interval.contains(t)) return std::nullopt;
+    return t;
+}
+
+}  // namespace rt
+
+// right unit_direction: along a direction of unit length, and back to the ray's own
+#define intersect(...) correct_intersect(__VA_ARGS__)
+#include "steps/step04_plane/reference/plane.cpp"
+#undef intersect
+
+namespace rt {
+
+std::optional<Real> intersect(const Ray& ray, const Plane& plane, Interval interval) {
+    const Vec3 n = unit(plane.normal);
+    const Real speed = length(ray.direction);
+    const Real approach = dot(ray.direction / speed, n);
+    if (approach == 0) return std::nullopt;
+    const Real t = (dot(plane.point, n) - dot(ray.origin, n)) / approach / speed;
+    if (!interval.contains(t)) return std::nullopt;
+    return t;
+}
+
+}  // namespace rt
