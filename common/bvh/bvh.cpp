@@ -180,7 +180,7 @@ BvhBuilder::Part BvhBuilder::split(std::size_t place, const PrimitiveRange& rang
     std::size_t upper_place = place + 2 * lower.size();
     std::future<Part> other;
     if (depth <= thread_depth && upper.size() >= thread_size)
-        other = std::async(split_upper, upper_place);
+        other = std::async([&] { return split_upper(upper_place); });
     const Part low = split(place + 1, lower, depth + 1);
     if (!other.valid()) upper_place = low.end;
     const Part high = other.valid() ? other.get() : split_upper(upper_place);
