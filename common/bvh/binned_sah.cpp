@@ -14,11 +14,6 @@ void grow(Box4& box, const Box4& other) {
     box.max = max(other.max, box.max);
 }
 
-void grow(Box4& box, Float4 point) {
-    box.min = min(point, box.min);
-    box.max = max(point, box.max);
-}
-
 /// The center, times two.
 Float4 middle(const Box4& box) {
     return box.min + box.max;
@@ -45,6 +40,17 @@ Axes axes_to_try(const PrimitiveRange& range) {
 constexpr std::size_t sampled_from = 65536;
 constexpr std::size_t sample_step = 16;
 
+/// Returns the function from the center of a box to its slice index along each axis. Where all
+/// centers are equal, 0 · ∞ is NaN, and the slice is 0.
+template <std::size_t slices>
+auto slicer(const Box4& centroids) {
+    const Float4 scale = broadcast_float(slices) / (centroids.max - centroids.min);
+    return [scale, origin = centroids.min](Float4 middle) {
+        const Float4 slice = (middle - origin) * scale;
+        return values(min(max(slice, broadcast_float(0)), broadcast_float(slices - 1)));
+    };
+}
+
 }  // namespace
 
 /// The boxes whose centers are in one slice of a range, along one axis.
@@ -58,26 +64,6 @@ struct BinnedSah::Split {
     std::size_t axis = 0;
     std::size_t slice = 0;
     float cost = Box4::end;  ///< infinite if no split was found
-};
-
-/// Computes slice indices in a range.
-template <std::size_t slices>
-class BinnedSah::Slicer {
-public:
-    explicit Slicer(const Box4& centroids)
-        : origin_(centroids.min),
-          scale_(broadcast_float(slices) / (centroids.max - centroids.min)) {}
-
-    /// The slice index along each axis. Where all centers are equal, 0 · ∞ is NaN, and the slice is
-    /// 0.
-    [[nodiscard]] std::array<float, lane_count> operator()(Float4 middle) const {
-        const Float4 slice = (middle - origin_) * scale_;
-        return values(min(max(slice, broadcast_float(0)), broadcast_float(slices - 1)));
-    }
-
-private:
-    Float4 origin_;
-    Float4 scale_;
 };
 
 float half_area(const Box4& box) {
@@ -98,7 +84,8 @@ PrimitiveRange BinnedSah::measured(std::size_t begin, std::size_t end) const {
     PrimitiveRange range{.begin = begin, .end = end};
     for (std::size_t i = begin; i < end; ++i) {
         grow(range.bounds, boxes_[i]);
-        grow(range.centroids, middle(boxes_[i]));
+        const Float4 center = middle(boxes_[i]);
+        grow(range.centroids, {center, center});
     }
     return range;
 }
@@ -113,7 +100,7 @@ float BinnedSah::cost(const Bin& part) const {
 template <std::size_t slices>
 BinnedSah::Bins<slices> BinnedSah::binned(const PrimitiveRange& range, std::size_t step) const {
     Bins<slices> bins;
-    const Slicer<slices> slice_of(range.centroids);
+    const auto slice_of = slicer<slices>(range.centroids);
     const auto [first, last] = axes_to_try(range);
     for (std::size_t i = range.begin; i < range.end; i += step) {
         const auto slice = slice_of(middle(boxes_[i]));
@@ -152,8 +139,7 @@ BinnedSah::Split BinnedSah::cheapest(const Bins<slices>& bins) const {
 }
 
 std::array<PrimitiveRange, 2> BinnedSah::split(const PrimitiveRange& range) {
-    // Most ranges contain few boxes, for which filling and scanning the bins would dominate the
-    // time.
+    // Most ranges contain few boxes: filling and scanning more bins would take most of the time.
     constexpr std::size_t few = 64;
     if (range.size() <= 2 * std::size_t(leaf_size_)) return cut_between<4>(range);
     return range.size() < few ? cut_between<8>(range) : cut_between<16>(range);
@@ -171,13 +157,13 @@ std::array<PrimitiveRange, 2> BinnedSah::cut_between(const PrimitiveRange& range
     for (std::size_t i = 0; i < slices; ++i)
         grow((i < best.slice ? lower : upper).bounds, bins[best.axis][i].bounds);
 
-    const Slicer<slices> slice_of(range.centroids);
+    const auto slice_of = slicer<slices>(range.centroids);
     const auto goes_lower = [&](std::size_t i) {
         const Float4 center = middle(boxes_[i]);
         const bool is_lower = std::size_t(slice_of(center)[best.axis]) < best.slice;
         PrimitiveRange& part = is_lower ? lower : upper;
         if (step > 1) grow(part.bounds, boxes_[i]);  // the bins have only those of the sample
-        grow(part.centroids, center);
+        grow(part.centroids, {center, center});
         return is_lower;
     };
     std::size_t low = range.begin;

@@ -61,8 +61,6 @@ private:
     struct Bin;
     struct Split;
     template <std::size_t slices>
-    class Slicer;
-    template <std::size_t slices>
     using Bins = std::array<std::array<Bin, slices>, 3>;
 
     [[nodiscard]] PrimitiveRange measured(std::size_t begin, std::size_t end) const;

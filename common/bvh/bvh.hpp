@@ -38,15 +38,13 @@ using BoxOf = std::function<BoundingBox(std::size_t)>;
 /// The hierarchy: nodes with eight children each, and leaves of one box or of a packet.
 class Bvh {
 public:
-    /// The cost of a leaf: one step for each box or, if its contents are packed, one step for as
-    /// many as there are lanes.
+    /// The cost of a leaf: one step for each box or, if packed, for as many as there are lanes.
     enum class Leaves { one_by_one, packed };
 
     Bvh() = default;
-    /// Builds the hierarchy over `count` boxes. `box(i)` is called twice for each index instead of
-    /// storing the boxes, which would fill the memory. The result does not depend on the number of
-    /// threads that build it. The frame is the one around `scene`, if all boxes fit in it and it is
-    /// not so large that their digits would be lost; else it is the frame around the boxes.
+    /// Builds the hierarchy over `count` boxes; `box(i)` is called twice for each. The result does
+    /// not depend on the number of threads that build it. The frame is around `scene` and the boxes
+    /// or, if the boxes' digits would be lost in it, around the boxes.
     Bvh(std::size_t count, const BoxOf& box, Leaves leaves = Leaves::one_by_one,
         const BoundingBox& scene = {});
 
@@ -85,9 +83,8 @@ public:
     /// Calls visit(leaf), with leaf an index in leaves(), for the leaves that the ray may hit
     /// inside the interval, until a call returns true. Returns whether one did. For the closest
     /// hit, the order is roughly near to far, and a visit may lower interval.max; for any hit, it
-    /// is that of memory, since sorting takes longer than the visits that it saves. If `visit` has
-    /// a function node(), it is called for each node whose boxes are tested. Calls expect(leaf), if
-    /// it is given, for each leaf that will probably be visited, so that it can be prefetched.
+    /// is that of memory, since sorting takes longer than the visits that it saves. Calls
+    /// expect(leaf), if it is given, to prefetch each leaf that will probably be visited.
     template <QueryKind query, class Test, class Visit, class Expect = std::nullptr_t>
     bool visit_leaves(const Test& slabs, const Interval& interval, Visit visit,
                       Expect expect = {}) const;
@@ -98,7 +95,18 @@ private:
     static constexpr std::size_t max_depth = 96;
 
     template <QueryKind query, class Visit>
-    bool visit_boxes(RayBoxTestCache& ray, const Interval& interval, Visit visit) const;
+    bool visit_boxes(RayBoxTestCache& ray, const Interval& interval, Visit visit) const {
+        return visit_leaves<query>(ray.in(frame_), interval, [&](std::size_t leaf) {
+            for (const std::uint32_t index : leaves_[leaf].indices) {
+                if (index == Leaf::none) break;
+                if constexpr (query == QueryKind::closest_hit)
+                    visit(index);
+                else if (visit(index))
+                    return true;
+            }
+            return false;
+        });
+    }
 
     BoundingBox bounds_;
     UnitSpace frame_;
@@ -125,7 +133,6 @@ bool Bvh::visit_leaves(const Test& slabs, const Interval& interval, Visit visit,
             if (sorts && interval.max != before) limit = slabs.limit(interval.max);
         } else {
             const Node& node = nodes_[child];
-            if constexpr (requires { visit.node(); }) visit.node();
             const auto answer = slabs(node, limit);
             unsigned hits = answer.hits;
             if (std::has_single_bit(hits)) {  // most often, and there is no time to prefetch it
@@ -168,20 +175,6 @@ bool Bvh::visit_leaves(const Test& slabs, const Interval& interval, Visit visit,
         } while (sorts && std::bit_cast<float>(std::uint32_t(*end >> 32)) > limit);
         child = std::uint32_t(*end);
     }
-}
-
-template <QueryKind query, class Visit>
-bool Bvh::visit_boxes(RayBoxTestCache& ray, const Interval& interval, Visit visit) const {
-    return visit_leaves<query>(ray.in(frame_), interval, [&](std::size_t leaf) {
-        for (const std::uint32_t index : leaves_[leaf].indices) {
-            if (index == Leaf::none) break;
-            if constexpr (query == QueryKind::closest_hit)
-                visit(index);
-            else if (visit(index))
-                return true;
-        }
-        return false;
-    });
 }
 
 }  // namespace RT_LANES

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <future>
 #include <span>
-#include <tuple>
-#include <utility>
 
 namespace rt {
 inline namespace RT_PRECISION {
@@ -78,10 +76,10 @@ std::uint8_t pack(const Mesh& mesh, const Leaf& leaf, Real scale, TrianglePacket
 }
 
 /// Packs the triangles of each leaf, half of the leaves on a second thread if the system has one,
-/// and returns the packets and which of their triangles need care: nothing if none does.
+/// and returns which of their triangles need care: nothing if none does.
 template <class Number>
-auto packed(const Mesh& mesh, std::span<const Leaf> leaves, Real scale) {
-    std::vector<TrianglePacket<Number>> packets;
+std::vector<std::uint8_t> pack(const Mesh& mesh, std::span<const Leaf> leaves, Real scale,
+                               std::vector<TrianglePacket<Number>>& packets) {
     reserve_huge(packets, leaves.size());
     packets.resize(leaves.size());
     std::vector<std::uint8_t> careful(leaves.size());
@@ -92,16 +90,18 @@ auto packed(const Mesh& mesh, std::span<const Leaf> leaves, Real scale) {
     const auto half = std::async([&] { fill(0, leaves.size() / 2); });
     fill(leaves.size() / 2, leaves.size());
     half.wait();
-    if (std::ranges::count(careful, 0) == std::ssize(careful)) careful = {};
-    return std::pair(std::move(packets), std::move(careful));
+    if (std::ranges::count(careful, 0) == std::ssize(careful)) return {};
+    return careful;
 }
 
-/// The same visits, and the number of boxes of the nodes.
-template <class Visit>
-struct CountingBoxes : Visit {
+/// The same test, and the number of boxes tested.
+struct CountingTest : RayBoxTest<true> {
     std::int64_t* count;
 
-    void node() const { *count += std::int64_t(Node::width); }
+    [[nodiscard]] Answer operator()(const Node& node, float limit) const {
+        *count += std::int64_t(Node::width);
+        return RayBoxTest::operator()(node, limit);
+    }
 };
 
 }  // namespace
@@ -114,10 +114,9 @@ MeshBvh::MeshBvh(const Mesh& mesh) {
         return BoundingBox{.min = glm::min(a, glm::min(b, c)), .max = glm::max(a, glm::max(b, c))};
     };
     hierarchy_ = Bvh(mesh.triangles.size(), box, Bvh::Leaves::packed);
-    if (fits_in_floats(mesh, scale_))
-        std::tie(float_packets_, careful_) = packed<float>(mesh, hierarchy_.leaves(), scale_);
-    else
-        std::tie(packets_, careful_) = packed<Real>(mesh, hierarchy_.leaves(), scale_);
+    careful_ = fits_in_floats(mesh, scale_)
+                   ? pack(mesh, hierarchy_.leaves(), scale_, float_packets_)
+                   : pack(mesh, hierarchy_.leaves(), scale_, packets_);
 }
 
 std::int64_t MeshBvh::test_count(const Ray& ray, Interval interval, QueryKind query) const {
@@ -133,12 +132,11 @@ std::int64_t MeshBvh::test_count(const Ray& ray, Interval interval, QueryKind qu
             return query == QueryKind::any_hit && found.hits != 0;
         });
     };
-    const auto slabs = hierarchy_.test_of(seen, RaySlopes(seen.direction));
-    const CountingBoxes<decltype(visit)> counting{visit, &count};
+    const CountingTest slabs{hierarchy_.test_of(seen, RaySlopes(seen.direction)), &count};
     if (query == QueryKind::any_hit)
-        hierarchy_.visit_leaves<QueryKind::any_hit>(slabs, left, counting);
+        hierarchy_.visit_leaves<QueryKind::any_hit>(slabs, left, visit);
     else
-        hierarchy_.visit_leaves<QueryKind::closest_hit>(slabs, left, counting);
+        hierarchy_.visit_leaves<QueryKind::closest_hit>(slabs, left, visit);
     return count;
 }
 

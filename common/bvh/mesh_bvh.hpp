@@ -77,8 +77,7 @@ private:
     Real scale_ = 1;  ///< scale of packets and hierarchy: a power of two, so that it is exact
     Bvh hierarchy_;
     std::vector<TrianglePacket<Real>> packets_;  ///< one packet for each leaf
-    /// In place of them, if Real is wider than float and every coordinate is a float, as those of
-    /// files are.
+    /// In place of them, if Real is wider than float and every coordinate is a float.
     std::vector<TrianglePacket<float>> float_packets_;
     /// For each leaf, one bit for each triangle whose areas cancel or underflow. Empty if none do.
     std::vector<std::uint8_t> careful_;

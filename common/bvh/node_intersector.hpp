@@ -109,17 +109,19 @@ public:
 
     /// Returns the boxes that the ray enters before `limit`.
     [[nodiscard, gnu::always_inline]] Answer operator()(const Node& node, float limit) const {
+        const auto* const bytes = reinterpret_cast<const std::byte*>(&node);
         const FloatN latest = all(limit);
         Answer answer;
         for (std::size_t part = 0; part < std::tuple_size_v<Node::Row>; ++part) {
-            const auto near_of = [&](std::size_t axis) {
-                return axes_[axis].time(node, (*rows_)[2 * axis], axes_[axis].near_start, part);
+            const auto time = [&](std::size_t row) {
+                const auto& [inverse, starts] = axes_[row / 2];
+                FloatN plane;
+                std::memcpy(&plane, bytes + (*rows_)[row] + part * sizeof plane, sizeof plane);
+                if constexpr (fused) return multiply_add(plane, inverse, starts[row % 2]);
+                return plane * inverse + starts[row % 2];
             };
-            const auto far_of = [&](std::size_t axis) {
-                return axes_[axis].time(node, (*rows_)[2 * axis + 1], axes_[axis].far_start, part);
-            };
-            const FloatN near = max(max(near_of(0), near_of(1)), max(near_of(2), all(0)));
-            const FloatN far = min(min(far_of(0), far_of(1)), min(far_of(2), latest));
+            const FloatN near = max(max(time(0), time(2)), max(time(4), all(0)));
+            const FloatN far = min(min(time(1), time(3)), min(time(5), latest));
             std::memcpy(&answer.near[part * float_count], &near, sizeof near);
             answer.hits |= mask_bits(near <= far) << (part * float_count);
         }
@@ -168,19 +170,8 @@ private:
 
     /// The ray's coordinates along one axis.
     struct Axis {
-        FloatN inverse;     ///< of the direction's component
-        FloatN near_start;  ///< the distance of a plane through 0, less the slack
-        FloatN far_start;   ///< the same, and the slack
-
-        /// The time at a row of planes.
-        [[nodiscard, gnu::always_inline]] FloatN time(const Node& node, std::size_t row,
-                                                      FloatN start, std::size_t part) const {
-            FloatN plane;
-            const auto* const bytes = reinterpret_cast<const std::byte*>(&node);
-            std::memcpy(&plane, bytes + row + part * sizeof plane, sizeof plane);
-            if constexpr (fused) return multiply_add(plane, inverse, start);
-            return plane * inverse + start;
-        }
+        FloatN inverse;                ///< of the direction's component
+        std::array<FloatN, 2> starts;  ///< times at a plane through 0, less and plus the slack
     };
 
     /// Computes all axes at once, one in each lane.
@@ -196,8 +187,7 @@ private:
         rows_ = &rows_of[mask_bits(inverse < zero) & 7];
         const auto axis = [&](std::size_t i) {
             return Axis{.inverse = all(lane(inverse, i)),
-                        .near_start = all(lane(near_start, i)),
-                        .far_start = all(lane(far_start, i))};
+                        .starts = {all(lane(near_start, i)), all(lane(far_start, i))}};
         };
         axes_ = {axis(0), axis(1), axis(2)};
     }

@@ -1,6 +1,5 @@
 // Bounding spheres for short lists of shapes. A ray is tested against four spheres at once (in SIMD
-// lanes), and only the shapes whose sphere it may hit are intersected. For fewer than about 32
-// shapes this is faster than a bounding volume hierarchy.
+// lanes), and only the shapes whose sphere it may hit are intersected.
 #pragma once
 
 #include "common/geometry/bounding_sphere.hpp"
