@@ -40,6 +40,8 @@ Axes axes_to_try(const PrimitiveRange& range) {
 constexpr std::size_t sampled_from = 65536;
 constexpr std::size_t sample_step = 16;
 
+}  // namespace
+
 /// Returns the function from the center of a box to its slice index along each axis. Where all
 /// centers are equal, 0 · ∞ is NaN, and the slice is 0.
 template <std::size_t slices>
@@ -50,8 +52,6 @@ auto slicer(const Box4& centroids) {
         return values(min(max(slice, broadcast_float(0)), broadcast_float(slices - 1)));
     };
 }
-
-}  // namespace
 
 /// The boxes whose centers are in one slice of a range, along one axis.
 struct BinnedSah::Bin {
