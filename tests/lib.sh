@@ -76,6 +76,7 @@ french_session() {
     says "Pas encore écrit"
     in_french 1 check "$1" --all
     in_french 0 hint "$1"
+    in_french 2 hint "$1" 9
     files=$(echo steps/step0"$1"_*/student)
     cp "$2" "$files"
     [ $# = 2 ] || cp "$3" "$files/main.cpp"
@@ -83,6 +84,10 @@ french_session() {
     says "en float et en double"
     in_french 0 run "$1"
     says " rayons"
+    in_french 2 run "$1" --size
+    says "erreur : --size : il manque 1 valeur"
+    in_french 2 run "$1" --pixel 9999,1
+    says "erreur : --pixel 9999,1 est hors de l'image"
     printf 'C 0,0,0 0,0,0 400\nsp 0,0 2\n' > "$folder/wrong.rt"
     in_french 2 run "$1" "$folder/wrong.rt"
     says "le champ de vision d'une caméra"

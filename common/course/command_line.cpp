@@ -93,8 +93,11 @@ Commands::Commands() {
 
 CLI::App* Commands::add(const std::string& usage, const std::string& description,
                         const Body& body) {
-    CLI::App* command = app_.add_subcommand(usage.substr(0, usage.find(' ')),
-                                            "./course " + usage + ": " + tr(description));
+    const std::size_t end = std::min(usage.find(' '), usage.size());
+    const std::string name = usage.substr(0, end);
+    const std::string words = end < usage.size() ? " " + tr(usage.substr(end + 1)) : "";
+    CLI::App* command =
+        app_.add_subcommand(name, "./course " + name + words + ": " + tr(description));
     command->callback([this, command, body] { status_ = body(command->remaining()); });
     return command;
 }
@@ -180,7 +183,8 @@ void Commands::refuse(const CLI::ParseError& error, const std::string& first) co
     const std::string name = chosen[0]->get_name();
     const std::vector<std::string> unexpected = app_.remaining(true);
     if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr || unexpected.empty())
-        throw InputError({}, name + ": " + error.what());
+        throw InputError(
+            {}, tr("{command}: {what}", {{"command", name}, {"what", tr_text(error.what())}}));
     std::string words;
     std::vector<std::string> options;
     for (const std::string& word : unexpected) words += " " + word;
