@@ -24,7 +24,7 @@ struct Mistake {
 
     /// True for the right answer of an earlier part of the stage: there is nothing wrong about it,
     /// the next part is to be written.
-    [[nodiscard]] bool is_earlier_part() const { return sentence.starts_with("Right so far: "); }
+    [[nodiscard]] bool is_earlier_part() const { return sentence.starts_with("Not finished: "); }
 };
 
 struct Probe {

@@ -79,7 +79,8 @@ public:
             if (callee.stage == probes.stage && is_wrong(callee)) wrong_.insert(&callee);
     }
 
-    /// The candidates that explain most, and then those that explain what is left.
+    /// The candidates that explain most, and then those that explain what is left. Where a mistake
+    /// errs that is certain, no other one is likely: it is the cause there, too.
     [[nodiscard]] std::vector<Recognized> found() const {
         std::vector<Candidate> candidates;
         for (std::size_t i = 0; i < probes_.mistakes.size(); ++i)
@@ -87,12 +88,17 @@ public:
                 candidates.push_back(std::move(each));
         std::vector<Recognized> all;
         Functions left = wrong_;
+        Functions explained_for_certain;
         while (!candidates.empty()) {
             for (Candidate& each : candidates)
-                std::erase_if(each.functions, [&](auto* callee) { return !left.contains(callee); });
+                std::erase_if(each.functions, [&](auto* callee) {
+                    return !left.contains(callee) ||
+                           (!each.is_certain && explained_for_certain.contains(callee));
+                });
             std::erase_if(candidates, [](const Candidate& each) { return each.functions.empty(); });
             for (const Candidate& each : best_of(candidates)) {
                 for (const Callee* const callee : each.functions) left.erase(callee);
+                if (each.is_certain) add_functions_of(each.mistake, explained_for_certain);
                 all.push_back({probes_.mistakes[each.mistake], each.is_certain});
             }
             if (candidates.empty()) break;
@@ -100,13 +106,21 @@ public:
                 std::ranges::max_element(candidates, {}, &Candidate::rank)->functions;
             for (const Callee* const callee : explained) left.erase(callee);
         }
-        for (const Callee* const callee : left)
+        for (const Callee* const callee : left) {
+            if (explained_for_certain.contains(callee)) continue;
             for (const std::size_t mistake : two_in(*callee))
                 all.push_back({probes_.mistakes[mistake], false});
+        }
         return all;
     }
 
 private:
+    void add_functions_of(std::size_t mistake, Functions& functions) const {
+        for (const Callee& callee : callees())
+            if (callee.stage == probes_.stage && errs_in(mistake, callee))
+                functions.insert(&callee);
+    }
+
     [[nodiscard]] bool alike(const Probe& probe, const Answer& a, const Answer& b) const {
         return is_compared_by_kind(*probe.call.callee) && is_open(probes_, *probe.call.callee)
                    ? same_kind(probe.call, a, b)
@@ -153,8 +167,8 @@ private:
     }
 
     /// Two mistakes that together give all wrong answers of the function, each of them some alone;
-    /// where both err, the answer may be another one. Nothing if there is no such pair, or a second
-    /// one with other sentences.
+    /// where both err, the answer may be another one. The one that gives more of them comes first.
+    /// Nothing if there is no such pair, or a second one with other sentences.
     [[nodiscard]] std::vector<std::size_t> two_in(const Callee& callee) const {
         std::vector<std::size_t> found;
         if (is_open(probes_, callee) || is_constant(probes_, answers_, callee)) return found;
@@ -168,6 +182,8 @@ private:
                          std::set{sentence(found[0]), sentence(found[1])})
                     return {};
             }
+        if (!found.empty() && fit(found[0], callee).hits < fit(found[1], callee).hits)
+            std::swap(found[0], found[1]);
         return found;
     }
 

@@ -91,7 +91,7 @@ TEST_CASE("of two mistakes that explain one function, the one that explains more
 TEST_CASE("the right answer of an earlier part is no mistake") {
     const Probes probes = read_probes(
         "stage 11\nmistake half: You go half way round.\n"
-        "mistake disc: Right so far: a disc. Next: the ball.\n");
+        "mistake disc: Not finished: a disc. Next: the ball.\n");
     CHECK_FALSE(probes.mistakes[0].is_earlier_part());
     CHECK(probes.mistakes[1].is_earlier_part());
 }
@@ -149,8 +149,9 @@ struct Planes {
     Probes probes;
     std::vector<Answer> answers;  ///< right ones
 
-    Planes() {
-        std::string text = "stage 4\nmistake doubled: Twice.\nmistake behind: Behind.\n";
+    explicit Planes(
+        const std::string& mistakes = "mistake doubled: Twice.\nmistake behind: Behind.\n") {
+        std::string text = "stage 4\n" + mistakes;
         for (int k = 1; k <= 10; ++k) {
             const std::string t = std::to_string(k + 2);
             text +=
@@ -194,6 +195,33 @@ TEST_CASE("two mistakes in one function are both probable if they explain all wr
     CHECK(planes.names() == "doubled? behind? ");
     planes.answers[9] = planes.probes.probes[0].right;
     CHECK(planes.names().empty());
+    // The one that gives more of the wrong answers comes first.
+    Planes other("mistake behind: Behind.\nmistake doubled: Twice.\n");
+    other.answer_as(1, 0, 6);
+    other.answer_as(0, 6, 10);
+    CHECK(other.names() == "doubled? behind? ");
+}
+
+TEST_CASE("no mistake is probable in a function where one that is certain errs, too") {
+    std::string text = "stage 4\nmistake doubled: Twice.\nmistake turned: Turned.\n";
+    for (int k = 1; k <= 7; ++k) {
+        const std::string t = std::to_string(k + 2);
+        text += "call intersect(Ray{{0, 0, 0}, {0, 0, -1}}, Plane{{0, 0, -" + t +
+                "}, {0, 0, 1}}, Interval{0, infinity})\nright " + t + "\nwrong " +
+                (k <= 6 ? std::to_string(2 * (k + 2)) + " | doubled\n" : "std::nullopt | turned\n");
+    }
+    text +=
+        "call normal(Plane{{0, 0, 0}, {0, 0, 1}}, {0, 0, 0})\nright {0, 0, 1}\n"
+        "wrong {0, 0, -1} | turned\n";
+    const Probes probes = read_probes(text);
+    std::vector<Answer> answers;
+    for (std::size_t i = 0; i < 8; ++i)
+        answers.push_back(i < 5 ? probes.probes[i].mistaken[0] : probes.probes[i].right);
+    REQUIRE(recognized(probes, answers, {}).size() == 1);
+    CHECK(recognized(probes, answers, {}).front().mistake.name == "doubled");
+    answers[7] = probes.probes[7].mistaken[1];
+    REQUIRE(recognized(probes, answers, {}).size() == 1);
+    CHECK(recognized(probes, answers, {}).front().mistake.name == "turned");
 }
 
 TEST_CASE("a constant function identifies nothing") {

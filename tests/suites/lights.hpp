@@ -281,6 +281,8 @@ inline bool differ_at(int rows, int columns, const Image& image) {
 
 /// The pattern in which the pixels repeat each other; empty if there is none.
 inline std::string pattern_of(const Image& image) {
+    if (!differ_at(0, 1, image) && !differ_at(1, 0, image))
+        return "all pixels are equal, as if they had the same samples";
     constexpr int period = 16;
     for (int rows = 0; rows <= period; ++rows)
         for (int columns = rows == 0 ? 1 : -period; columns <= period; ++columns)

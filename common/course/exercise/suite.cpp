@@ -21,8 +21,8 @@ constexpr std::chrono::seconds suite_time_limit{10};  // the slowest suite takes
 std::string meaning_of(const std::string& crash) {
     if (crash == "Segmentation fault")
         return tr(
-            "It used memory that is not its own: a null pointer, an index out of range, or a "
-            "function that calls itself without end.");
+            "It used memory that is not its own: a function that calls itself without end, a null "
+            "pointer, or an index out of range.");
     if (crash == "Aborted") return tr("An assertion failed, or std::abort was called.");
     if (crash == "Floating point exception") return tr("A whole number was divided by 0.");
     if (crash == "Killed") return tr("The system does so when memory runs out.");

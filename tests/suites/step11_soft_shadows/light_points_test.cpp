@@ -105,10 +105,12 @@ Verdict points_are_uniform(const Light& light, Vec3 from, std::uint32_t seed) {
         for (const int count : counts[ring])
             if (std::abs(count - 64) > 16)
                 return verdict(
-                    false, asked + "8 rings of 8 pieces of equal solid angle\n  got:      " +
-                               std::to_string(count) + " points in a piece of ring " +
-                               std::to_string(ring + 1) +
-                               " from the middle\n  expected: 64 in each, give or take 16" + paste);
+                    false,
+                    asked + "8 rings of 8 pieces of equal solid angle\n  got:      " +
+                        std::to_string(count) + " points in a piece of " +
+                        (ring == 0 ? "the innermost ring"
+                                   : "ring " + std::to_string(ring + 1) + " from the middle") +
+                        "\n  expected: 64 in each, give or take 16" + paste);
     for (std::size_t i = 0; i < 128; ++i)
         if (!is_ring_hit[i] || !is_sector_hit[i])
             return verdict(false, asked + "128 " + (is_ring_hit[i] ? "sectors" : "rings") +
