@@ -192,7 +192,7 @@ def check_wrong_scenes(chromium, origin, folder):
     def many(count):
         return show(chromium, f"figure.scene = `{good}` + Array.from({{ length: {count} }}, (_, i) => `sp ${{i}},0,0 1 1,1,1\\n`).join(''); figure.draw();")
 
-    if "memory" not in (shown := many(1000000))["status"]:
+    if "memory" not in (shown := many(700000))["status"]:
         errors.append(f"too many spheres: {shown['status']}")
     goes_on("too many spheres")
     chromium.run("customElements.get('rt-picture').longest = 5")
