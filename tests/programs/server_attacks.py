@@ -46,7 +46,7 @@ def request(path=start, method="GET", version="HTTP/1.1", name=f"127.0.0.1:{port
 
 def is_answered_at_once(after):
     before = time.monotonic()
-    if status(answer(request())) != 200 or time.monotonic() - before > 1:
+    if status(answer(request())) != 200 or time.monotonic() - before > 3:  # not after the 10 s of a slow reader
         fail(f"the page is answered at once after {after}")
 
 
