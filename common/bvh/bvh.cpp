@@ -174,16 +174,15 @@ BvhBuilder::Part BvhBuilder::split(std::size_t place, const PrimitiveRange& rang
     }
     const auto [lower, upper] =
         depth < halving_depth ? ranges_.split(range) : ranges_.split_middle(range);
-    const auto split_upper = [this, &part = upper, depth](std::size_t from) {
-        return split(from, part, depth + 1);
-    };
     std::size_t upper_place = place + 2 * lower.size();
+    const auto split_upper = [this, &upper_place, &part = upper, depth] {
+        return split(upper_place, part, depth + 1);
+    };
     std::future<Part> other;
-    if (depth <= thread_depth && upper.size() >= thread_size)
-        other = std::async([&] { return split_upper(upper_place); });
+    if (depth <= thread_depth && upper.size() >= thread_size) other = std::async(split_upper);
     const Part low = split(place + 1, lower, depth + 1);
     if (!other.valid()) upper_place = low.end;
-    const Part high = other.valid() ? other.get() : split_upper(upper_place);
+    const Part high = other.valid() ? other.get() : split_upper();
     node.to_upper = std::uint32_t(upper_place - place);
     return {.end = high.end,
             .leaves = low.leaves + high.leaves,

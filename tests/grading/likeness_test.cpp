@@ -50,8 +50,7 @@ std::string text_of(const std::string& file) {
 }
 
 std::string right_answer(const std::string& suite, const std::string& name) {
-    const std::vector<RightAnswer> answers = read_right_answers(project, suite);
-    return std::ranges::find(answers, name, &RightAnswer::name)->text;
+    return find_right_answer(project, suite, name).value();
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& with) {

@@ -170,10 +170,8 @@ void write_all(const fs::path& project, const std::string& suite) {
 }
 
 void write_one(const fs::path& project, const std::string& suite, const std::string& name) {
-    const auto rights = rt::read_right_answers(project, suite);
-    if (const auto right = std::ranges::find(rights, name, &RightAnswer::name);
-        right != rights.end()) {
-        std::cout << right->text;
+    if (const auto right = rt::find_right_answer(project, suite, name)) {
+        std::cout << *right;
         return;
     }
     const auto mistakes = rt::read_known_mistakes(project, suite);

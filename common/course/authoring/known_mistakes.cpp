@@ -29,9 +29,7 @@ std::string file_of(const std::string& right_answer, const std::string& suite) {
 class CatalogueReader {
 public:
     CatalogueReader(const fs::path& project, std::string suite)
-        : project_(project),
-          suite_(std::move(suite)),
-          right_answers_(read_right_answers(project, suite_)) {}
+        : project_(project), suite_(std::move(suite)) {}
 
     std::vector<KnownMistake> read() {
         std::ifstream lines(project_ / catalogue_of(suite_));
@@ -73,10 +71,9 @@ private:
         if (!fs::exists(project_ / mistake.right_answer))
             fail(mistake.right_answer + " does not exist");
         if (mistake.right_answer == alternatives_of(suite_)) {
-            const auto right = std::ranges::find(right_answers_, right_answer, &RightAnswer::name);
-            if (right == right_answers_.end())
-                fail(mistake.right_answer + " has no answer " + right_answer);
-            mistake.right_text = right->text;
+            const auto text = find_right_answer(project_, suite_, right_answer);
+            if (!text) fail(mistake.right_answer + " has no answer " + right_answer);
+            mistake.right_text = *text;
             mistake.right_answer += ", " + right_answer;
         } else {
             std::ifstream file(project_ / mistake.right_answer);
@@ -118,7 +115,6 @@ private:
 
     const fs::path& project_;
     std::string suite_;
-    std::vector<RightAnswer> right_answers_;
     int number_ = 0;
     bool is_in_group_ = false;
     std::vector<KnownMistake> mistakes_;
@@ -142,6 +138,14 @@ std::vector<RightAnswer> read_right_answers(const fs::path& project, const std::
     for (RightAnswer& answer : answers)  // blank lines before the next one
         while (answer.text.ends_with("\n\n")) answer.text.pop_back();
     return answers;
+}
+
+std::optional<std::string> find_right_answer(const fs::path& project, const std::string& suite,
+                                             const std::string& name) {
+    const std::vector<RightAnswer> answers = read_right_answers(project, suite);
+    const auto found = std::ranges::find(answers, name, &RightAnswer::name);
+    if (found == answers.end()) return std::nullopt;
+    return found->text;
 }
 
 std::vector<KnownMistake> read_known_mistakes(const fs::path& project, const std::string& suite) {

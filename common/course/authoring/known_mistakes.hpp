@@ -14,6 +14,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,11 @@ struct RightAnswer {
 /// The other right answers of a suite, by name; none without a file.
 [[nodiscard]] std::vector<RightAnswer> read_right_answers(const std::filesystem::path& project,
                                                           const std::string& suite);
+
+/// The source of one of them, if there is one of that name.
+[[nodiscard]] std::optional<std::string> find_right_answer(const std::filesystem::path& project,
+                                                           const std::string& suite,
+                                                           const std::string& name);
 
 /// The catalogue of a suite, "step03_sphere" or "step03_sphere_trace".
 [[nodiscard]] std::string catalogue_of(const std::string& suite);

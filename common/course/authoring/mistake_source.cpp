@@ -1,12 +1,13 @@
 #include "common/course/authoring/mistake_source.hpp"
 
 #include "common/system/input_error.hpp"
+#include "common/system/lines.hpp"
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <optional>
-#include <sstream>
 
 namespace rt {
 
@@ -16,21 +17,10 @@ namespace fs = std::filesystem;
 
 using Lines = std::vector<std::string>;
 
-Lines lines_of(std::istream& in) {
-    Lines lines;
-    for (std::string line; std::getline(in, line);) lines.push_back(line);
-    return lines;
-}
-
-Lines lines_of(const std::string& text) {
-    std::istringstream in(text);
-    return lines_of(in);
-}
-
 Lines lines_in(const fs::path& file) {
     std::ifstream in(file);
     if (!in) throw InputError({file.generic_string()}, "cannot be read");
-    return lines_of(in);
+    return lines_of({std::istreambuf_iterator<char>(in), {}});
 }
 
 std::string joined(const Lines& lines) {

@@ -118,7 +118,7 @@ std::string smallest_text(const Diagnosis& diagnosis, const CaseResult& failed, 
     return text;
 }
 
-/// How many other cases fail, and whether they call the part that is wrong, too.
+/// The line on the other failing cases, which may have the same cause. Empty if there are none.
 std::string others_text(const Findings& findings, const std::vector<CaseResult>& cases, int stage) {
     const Judgment& judgment = findings.judgment;
     const int others = judgment.cases() - judgment.passed() - 1;
