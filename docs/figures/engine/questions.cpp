@@ -129,7 +129,7 @@ std::vector<std::uint8_t> lit_ball(const Light& light, const Ambient& ambient,
                         specular_term(*surface, light);
             }
             const auto [red, green, blue] = to_rgb(color);
-            pixels.insert(pixels.end(), {red, green, blue, std::uint8_t(surface ? 255 : 0)});
+            pixels.insert(pixels.end(), {blue, green, red, std::uint8_t(surface ? 255 : 0)});
         }
     return pixels;
 }

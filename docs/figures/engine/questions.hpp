@@ -42,7 +42,7 @@ template <class Shape>
 [[nodiscard]] Vec2 independent_sample(std::uint32_t index, std::uint32_t seed);
 
 /// A ball of radius 1 around the origin, seen along −to_eye from far away: side × side pixels in
-/// red, green, blue and opacity. `to_eye` is in the plane z = 0, which is upright in the picture.
+/// blue, green, red and opacity. `to_eye` is in the plane z = 0, which is upright in the picture.
 [[nodiscard]] std::vector<std::uint8_t> lit_ball(const Light& light, const Ambient& ambient,
                                                  const Material& material, Vec3 to_eye,
                                                  std::uint32_t side);

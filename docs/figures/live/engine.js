@@ -61,7 +61,9 @@ class Engine {
   constructor(precision, exports) {
     this.precision = precision;
     this.exports = exports;
-    this.functions = JSON.parse(new TextDecoder().decode(this.#result(exports.engine_describe())));
+    this.functions = {};  // of each stage by their names
+    for (const [stage, place, name, ...types] of JSON.parse(new TextDecoder().decode(this.#result(exports.engine_describe()))))
+      ((this.functions[stage] ??= {})[name] ??= []).push([place, ...types]);
   }
 
   #result(size) {
@@ -70,8 +72,8 @@ class Engine {
 
   /// A question as bytes, and the type of its answer.
   question(stage, name, values) {
-    const [, place, , parameters, answer] = this.functions.find(
-      ([of, , called, types]) => of === stage && called === name && types.length === values.length && types.every((type, i) => fits(type, values[i])));
+    const [place, parameters, answer] = this.functions[stage][name].find(
+      ([, types]) => types.length === values.length && types.every((type, i) => fits(type, values[i])));
     const to = { view: room, place: 0 };
     put(to, "u8", stage);
     put(to, "u8", place);

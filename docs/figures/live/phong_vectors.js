@@ -7,13 +7,13 @@ const [middle, radius] = [[515, 100], 90];  // of the ball as the eye sees it
 const outside = (p) => times(Math.max(1.15, Math.hypot(...p)) / (Math.hypot(...p) || 1), p);
 const parts = { all: [1, 1, 1], ambient: [1, 0, 0], diffuse: [0, 1, 0], specular: [0, 0, 1] };
 
-/// Pixels in red, green, blue and opacity as the address of a bitmap, which has the same bytes on every machine.
+/// Pixels in blue, green, red and opacity as the address of a bitmap, which has the same bytes on every machine.
 function bitmap(pixels, side) {
   const bytes = new Uint8Array(54 + 4 * side * side), view = new DataView(bytes.buffer);
   bytes.set([0x42, 0x4d]);
   [[2, bytes.length], [10, 54], [14, 40], [18, side], [22, -side]].forEach(([place, value]) => view.setInt32(place, value, true));
   bytes.set([1, 0, 32], 26);  // one plane, 32 bits a pixel
-  for (let i = 0; i < 4 * side * side; ++i) bytes[54 + i] = pixels[i % 4 === 3 ? i : i + 2 - 2 * (i % 4)];  // blue first
+  bytes.set(pixels, 54);
   let text = "";
   for (let i = 0; i < bytes.length; i += 3000) text += String.fromCharCode(...bytes.subarray(i, i + 3000));
   return `data:image/bmp;base64,${btoa(text)}`;
@@ -44,7 +44,7 @@ define("phong_vectors", class extends Figure {
 
   /// The ball in the screen's own pixels.
   async draw_ball(sketch, light, ambient, material, to_eye) {
-    const most = this.svg.querySelector(".handle:active") ? 200 : 600;  // so that dragging is smooth
+    const most = this.svg.querySelector(".handle:active") ? 100 : 600;  // so that dragging is smooth
     const side = Math.min(most, Math.ceil((2 * radius * this.svg.getBoundingClientRect().width * devicePixelRatio) / 640)) || 64;
     const pixels = await this.ask(0, "lit_ball", light, ambient, material, to_eye, side), [cx, cy] = middle;
     sketch.shape("image", { href: bitmap(pixels, side), x: cx - radius, y: cy - radius, width: 2 * radius, height: 2 * radius, clip_path: "circle(50%)" });
