@@ -162,7 +162,8 @@ void Commands::print_list() const {
     }
     const std::string notes = tr(
         "N is {what}.\nrun, compare, explain: --mine uses all your stages, --reference 3,5 all but "
-        "these. ./course --version prints the version.",
+        "these. ./course --version prints the version; --lang fr before a command answers in "
+        "French.",
         {{"what", tr(stage_option)}});
     std::fputs(("\n" + wrapped_page(notes, 0)).c_str(), stdout);
 }

@@ -73,7 +73,7 @@ private:
     [[nodiscard]] std::vector<std::string> command_names() const;
     [[nodiscard]] int stage() const { return parse_stage(words_.stage); }
 
-    CLI::App app_{"Raysteps: a ray tracer in thirteen steps", "./course"};
+    CLI::App app_{"Raysteps: a ray tracer, step by step", "./course"};
     Words words_;
     int status_ = 0;
 };

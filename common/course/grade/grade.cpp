@@ -356,9 +356,10 @@ Outcome grade(const Order& order) {
 namespace {
 
 std::string edition_of(const fs::path& results, const fs::path& project) {
-    const bool seeded = fs::exists(seed_file(results));
-    return today() + ", Raysteps " + version(project) +
-           (seeded ? ", seed " + seed_identifier(read_seed(seed_file(results))) : "");
+    const std::string edition = today() + ", Raysteps " + version(project);
+    if (!fs::exists(seed_file(results))) return edition;
+    return tr("{edition}, seed {seed}",
+              {{"edition", edition}, {"seed", seed_identifier(read_seed(seed_file(results)))}});
 }
 
 }  // namespace
