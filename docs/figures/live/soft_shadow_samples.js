@@ -51,8 +51,10 @@ define("soft_shadow_samples", class extends Figure {
       if (!shift) rows.push(["well spread: visibility_error, an estimate", await this.ask(11, "visibility_error", rays)]);
     }
     sketch.write([320, 20], `true share, by 8192 rays: ${short(true_share, 3)}`, color.ink, "middle");
+    for (const x of [256, 582]) sketch.write([x, 98], "samples", color.ink, "middle");
     sketch.write([256, 236], "one in each box", color.ink, "middle");
-    sketch.write([320, 318], "dot: the ray reaches the light; cross: the ball is in the way", color.gray, "middle");
+    sketch.write([582, 236], "several in some", color.ink, "middle");
+    sketch.write([320, 318], "the light as the point sees it; dot: its ray arrives; cross: the ball is in the way", color.gray, "middle");
     return rows;
   }
 });
