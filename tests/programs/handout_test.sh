@@ -60,9 +60,9 @@ course 0 start 3
 course 1 check 3
 says "Not written yet: intersect"
 cmake --build "$project/build" --target known_mistakes > log 2>&1 || fail "known_mistakes is built"
-"$project/build/known_mistakes" "$project" step03_sphere subtracts_r_squared > $stage/student/sphere.cpp
+"$project/build/known_mistakes" "$project" step03_sphere far_root_only > $stage/student/sphere.cpp
 course 1 check 3
-says "Your discriminant subtracts r²."
+says "You try the larger root only"
 says "✗ the unit sphere five ahead is hit at t = 4"
 cp "$project/$stage/reference/sphere.cpp" $stage/student/sphere.cpp
 rm $stage/student/main.cpp
