@@ -66,7 +66,7 @@ std::string name(const std::string& line) {
                                     : line.substr(start, end - start);
 }
 
-Lines names(const Lines& lines) {
+Lines names_of(const Lines& lines) {
     Lines all;
     for (const std::string& line : lines) all.push_back(name(line));
     return all;
@@ -222,8 +222,8 @@ LogDiff compare_logs(const std::string& mine, const std::string& reference, Writ
     }
     a.resize(std::min(a.size(), most_lines));
     b.resize(std::min(b.size(), most_lines));
-    const Lines a_names = names(a);
-    const Lines b_names = names(b);
+    const Lines a_names = names_of(a);
+    const Lines b_names = names_of(b);
     const auto longest = common_tails(a_names, b_names);
     std::size_t i = 0;
     std::size_t j = 0;
