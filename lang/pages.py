@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """The pages and sentences in other languages: lang/pages.py LANGUAGE… or --in-place LANGUAGE
 
-A page P.md is translated by lang/LANGUAGE/P.po, by po4a; what ./course prints by course.po, and a
-stage's cases and known mistakes by steps/STAGE/sentences.po. The command brings these files up to date
+A page P.md is translated by lang/LANGUAGE/P.po, by po4a, and a stage's hints by the catalogue of its page;
+what ./course prints by course.po, and a stage's cases and known mistakes by steps/STAGE/sentences.po. The command brings these files up to date
 with the English texts, prints what is to be translated, and writes README.LANGUAGE.md, the only
 translated page that is kept. The book (common/course/book) and its tests use the functions. With --in-place
 it replaces the English pages, as in a hand-out in that language.
@@ -55,6 +55,7 @@ def pages():
 
 
 def catalogue_of(page, language):
+    page = re.sub(r"^steps/(\w+)/hints\.md$", r"docs/\1.md", page)
     return lang / language / Path(page).with_suffix(".po")
 
 
@@ -180,7 +181,7 @@ def replace_pages(language):
     for page, text in texts.items():
         english = (project / page).read_text(encoding="utf-8")
         (project / page).write_text(with_english_anchors(english, text, linked), encoding="utf-8")
-        catalogue_of(page, language).unlink()
+        catalogue_of(page, language).unlink(missing_ok=True)
     for name, drawn in translated_figures(language, texts).items():
         (project / "docs/figures" / name).write_text(drawn, encoding="utf-8")
     for kept in project.glob("README.*.md"):
@@ -293,9 +294,13 @@ def write_sentences(template, stage):
 def update(language):
     with tempfile.TemporaryDirectory() as folder:
         template = Path(folder) / "template.pot"
-        for page in pages():
-            run_po4a(project / page, "", template)
-            merge(catalogue_of(page, language), template, language)
+        templates = {}
+        for number, page in enumerate(pages()):
+            run_po4a(project / page, "", Path(folder) / str(number))
+            templates.setdefault(catalogue_of(page, language), []).append(Path(folder) / str(number))
+        for catalogue, of_pages in templates.items():
+            subprocess.run(["msgcat", "--no-wrap", "--use-first", "-o", template, *of_pages], check=True)
+            merge(catalogue, template, language)
         for name in rooms:
             if write_messages(template, name):
                 merge(lang / language / f"{name}.po", template, language)

@@ -251,10 +251,10 @@ void select_translations(const fs::path& folder) {
         const fs::path page = fs::path(path.substr(path.find('/') + 1)).replace_extension(".md");
         if (!path.ends_with(".po") || !fs::exists(project_folder / page)) continue;
         const fs::path catalogue = folder / "lang" / path;
-        const std::string text =
-            fs::exists(folder / page)
-                ? selected_entries(read_text(catalogue), read_text(folder / page))
-                : "";
+        std::string pages;
+        for (const fs::path& each : {page, "steps" / page.stem() / "hints.md"})
+            if (fs::exists(folder / each)) pages += read_text(folder / each);
+        const std::string text = pages.empty() ? "" : selected_entries(read_text(catalogue), pages);
         if (text.empty())
             fs::remove(catalogue);
         else
