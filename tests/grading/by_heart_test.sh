@@ -14,8 +14,7 @@ od -An -N8 -tx8 /dev/urandom > "$folder/seed"
 
 # points REPORT STAGE: "7 21". 0 points if only the starter's cases pass.
 points() {
-    case $2 in *_trace) passes=main_passes.txt ;; *) passes=passes.txt ;; esac
-    awk -v given="$project/steps/${2%_trace}/starter/$passes" '
+    awk -v given="$project/steps/${2%_trace}/starter/passes.txt" '
         BEGIN { while ((getline line < given) > 0) free[line] = 1 }
         /^case / { name = substr($0, 6); worth = 1 }
         /^points / { worth = $2 }

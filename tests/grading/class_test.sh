@@ -36,8 +36,7 @@ pick() {
 
 # stage_points REPORT SUITE: the points of a suite's report. 0 if only the starter's cases pass.
 stage_points() {
-    case $2 in *_trace) passes=main_passes.txt ;; *) passes=passes.txt ;; esac
-    awk -v given="$project/steps/${2%_trace}/starter/$passes" '
+    awk -v given="$project/steps/${2%_trace}/starter/passes.txt" '
         BEGIN { while ((getline line < given) > 0) free[line] = 1 }
         /^case / { name = substr($0, 6); worth = 1 }
         /^points / { worth = $2 }

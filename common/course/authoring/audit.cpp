@@ -135,16 +135,10 @@ std::set<std::string> passed_cases(const SuiteResult& suite) {
     return names;
 }
 
-/// The reference passes all cases of a file's suite; the starter passes those in its list, where a
-/// miss or zero is the right answer.
-void look_at_suite(GradedFile graded, Findings& findings) {
+/// The reference passes all cases of a file's suite; the starter passes the listed ones, where a
+/// miss or zero is the right answer. They are taken from `listed`.
+void look_at_suite(GradedFile graded, std::set<std::string>& listed, Findings& findings) {
     const std::string name = name_of(graded);
-    const std::string list =
-        step_path(graded.stage, graded.is_trace ? "starter/main_passes.txt" : "starter/passes.txt");
-    std::set<std::string> expected;
-    if (is_file(list))
-        for (const std::string& line : lines_of(read_text(project_folder / list)))
-            expected.insert(line);
     const std::string file = file_name(graded);
     for (const char* precision : {"_float", "_double"}) {
         const SuiteResult reference = run_suite(name + "_test" + precision);
@@ -160,14 +154,28 @@ void look_at_suite(GradedFile graded, Findings& findings) {
                              "the starter does not report that it is not written yet");
         findings.require(passed.size() < cases, "the starter's " + file + " is right");
         for (const std::string& each : passed)
-            findings.require(expected.count(each) == 1, "the starter passes: " + each);
-        for (const std::string& each : expected)
-            findings.require(passed.count(each) == 1, list + " lists a case that fails: " + each);
-        if (std::string(precision) == "_double")
-            findings.note(std::to_string(cases) + " cases" +
-                          (graded.is_trace ? " of main.cpp" : "") + ", the starter passes " +
-                          std::to_string(passed.size()));
+            findings.require(listed.count(each) == 1, "the starter passes: " + each);
+        for (const CaseResult& each : starter.cases)
+            findings.require(each.passed || listed.count(each.name) == 0,
+                             "passes.txt lists a case that fails: " + each.name);
+        if (std::string(precision) == "_float") continue;
+        for (const CaseResult& each : starter.cases) listed.erase(each.name);
+        findings.note(std::to_string(cases) + " cases" + (graded.is_trace ? " of main.cpp" : "") +
+                      ", the starter passes " + std::to_string(passed.size()));
     }
+}
+
+/// The suites of a stage's files, and the list of the cases that its starter passes.
+void look_at_suites(int stage, Findings& findings) {
+    const std::string list = step_path(stage, "starter/passes.txt");
+    std::set<std::string> listed;
+    if (is_file(list))
+        for (const std::string& line : lines_of(read_text(project_folder / list)))
+            listed.insert(line);
+    look_at_suite(stage, listed, findings);
+    if (has_trace(stage)) look_at_suite({stage, true}, listed, findings);
+    for (const std::string& each : listed)
+        findings.require(false, list + " lists what is no case: " + each);
 }
 
 }  // namespace
@@ -194,8 +202,7 @@ int audit(std::optional<int> only) {
         Findings findings(stage);
         for (const std::string& file : {"scenes/" + name + ".rt", "docs/pictures/" + name + ".png"})
             findings.require(is_file(file), file + " does not exist");
-        look_at_suite(stage, findings);
-        if (has_trace(stage)) look_at_suite({stage, true}, findings);
+        look_at_suites(stage, findings);
         look_at_small_picture(stage, findings);
         look_at_page(stage, findings);
         look_at_hints(stage, findings);

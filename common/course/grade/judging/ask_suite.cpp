@@ -24,9 +24,8 @@ constexpr int suite_seconds = 20;
 constexpr int most_processor_seconds = 10 * suite_seconds;
 
 /// The cases that the starter passes.
-std::set<std::string> given_cases(const Grading& grading, GradedFile graded) {
-    const fs::path file = grading.project / "steps" / stage_name(graded.stage) / "starter" /
-                          (graded.is_trace ? "main_passes.txt" : "passes.txt");
+std::set<std::string> given_cases(const Grading& grading, int stage) {
+    const fs::path file = grading.project / "steps" / stage_name(stage) / "starter/passes.txt";
     if (!fs::exists(file)) return {};
     const std::vector<std::string> lines = lines_of(read_text(file));
     return {lines.begin(), lines.end()};
@@ -99,7 +98,7 @@ std::vector<CaseMark> ask_suite(const Grading& grading, GradedFile graded, const
     if (!fs::exists(report) && ending.out_of_time) return cases;
     if (!fs::exists(report))
         throw ProgramError("the suite of " + name_of(graded) + " does not run\n");
-    const std::set<std::string> given = given_cases(grading, graded);
+    const std::set<std::string> given = given_cases(grading, graded.stage);
     for (const CaseResult& each : read_report(read_text(report)))
         cases.push_back({.name = each.name,
                          .points = each.points,
