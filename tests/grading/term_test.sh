@@ -72,7 +72,8 @@ says "mallory: submitted, but is not on the roster"
 grep -q '^Participant124,Bob Ray,Remis,"13,75","20,00",' results/upload.csv || fail "$(cat results/upload.csv)"
 
 # In French: the pages, and columns as in Moodle's worksheet.
-echo 'lang: fr' >> results/term.txt
+printf 'student,points\n124,2.5\n' > results/more.csv
+printf 'additions: more.csv\nlang: fr\n' >> results/term.txt
 grade 0 --report
 says "2 of 2 lines have a grade"
 grep -q '^Nom complet,step03_sphere,Note,Note maximale' results/grades.csv || fail "$(head -n 1 results/grades.csv)"
@@ -80,6 +81,9 @@ for page in results/class.html results/students/*_12?/feedback.html; do
     sed -e '/^<style>/,/^<\/style>/d' -e 's/<[^>]*>//g' -e '/: erreur : /d' "$page" > out  # without a compiler's messages
     has_english out && fail "$page is in French"
 done
+grep -q '24,5 sur 32 points' results/students/Bob_Ray_124/feedback.html || fail "a decimal comma for the student"
+grep -q '>24,5<' results/class.html || fail "a decimal comma for the class"
+sed -i '/^additions/d' results/term.txt
 grep -q 'la sphère unité' results/students/Zoé_Doe_123/feedback.html || fail "the names of cases are French"
 # What is printed is in the terminal's language.
 RAYSTEPS_LANG=fr grade 0 --report

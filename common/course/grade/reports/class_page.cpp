@@ -95,7 +95,7 @@ std::string matrix(const std::vector<Mark>& marks, const std::map<int, int>& sta
         for (const auto& [stage, most] : stages) cells += stage_cell(submission, stage, most, term);
         const int share =
             std::clamp(int(100 * submission.points / std::max(submission.of, 1e-9)), 0, 100);
-        rows += row(cells + share_cell("share", share, 100, number(submission.points)));
+        rows += row(cells + share_cell("share", share, 100, number_text(submission.points)));
     }
     return "<p class=\"soft\">" +
            tr("The points of each stage, of a hundred; – means not submitted, e excused, × cannot "

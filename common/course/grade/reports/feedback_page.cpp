@@ -164,7 +164,7 @@ void write_feedback(const fs::path& results, const std::vector<Mark>& marks, con
         std::string body =
             "<header><h1>" + escaped(submission.called) + "</h1> <p>" +
             tr("{points} of {most}",
-               {{"points", number(submission.points)}, {"most", points_text(submission.of)}}) +
+               {{"points", number_text(submission.points)}, {"most", points_text(submission.of)}}) +
             "</p></header>\n" + preformatted(submission.remarks) + overview(submission, stages);
         for (const auto& [stage, mark] : submission.marks)
             body += section(*mark, stages.at(stage), student_folder(results, mark->student));

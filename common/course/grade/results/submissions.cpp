@@ -50,8 +50,8 @@ void count_stages(StudentMarks& submission, const std::map<int, int>& graded, co
         if (given != nullptr) {
             add_remark(submission, tr("{stage}: {points} instead of {before}",
                                       {{"stage", stage_title(stage)},
-                                       {"points", number(given->points)},
-                                       {"before", number(points)}}) +
+                                       {"points", number_text(given->points)},
+                                       {"before", number_text(points)}}) +
                                        reason(*given));
             points = given->points;
         }
@@ -69,23 +69,24 @@ void count(StudentMarks& submission, const std::map<int, int>& graded, const Ter
     submission.days_late = late == term.days_late.end() ? 0 : late->second;
     if (const double lost = std::min(100.0, term.late_percent * submission.days_late); lost > 0) {
         add_remark(submission, tr("{days} days late: {percent} % of {points} points",
-                                  {{"days", number(submission.days_late)},
-                                   {"percent", number(lost)},
-                                   {"points", number(submission.points)}}));
+                                  {{"days", number_text(submission.days_late)},
+                                   {"percent", number_text(lost)},
+                                   {"points", number_text(submission.points)}}));
         submission.points *= 1 - lost / 100;
     }
     if (const auto more = term.additions.find(submission.student); more != term.additions.end())
         for (const PointsByHand& given : more->second) {
-            add_remark(submission, tr("in addition: {points}", {{"points", number(given.points)}}) +
-                                       reason(given));
+            add_remark(submission,
+                       tr("in addition: {points}", {{"points", number_text(given.points)}}) +
+                           reason(given));
             submission.points += given.points;
         }
     submission.points = std::max(submission.points, 0.0);
     if (const PointsByHand* given = override_of(submission, Term::total, term)) {
-        add_remark(submission,
-                   tr("in all: {points} instead of {before}",
-                      {{"points", number(given->points)}, {"before", number(submission.points)}}) +
-                       reason(*given));
+        add_remark(submission, tr("in all: {points} instead of {before}",
+                                  {{"points", number_text(given->points)},
+                                   {"before", number_text(submission.points)}}) +
+                                   reason(*given));
         submission.points = given->points;
     }
 }
@@ -155,7 +156,8 @@ std::string file_title(GradedFile file) {
 }
 
 std::string points_text(double points) {
-    return tr(points == 1 ? "{number} point" : "{number} points", {{"number", number(points)}});
+    return tr(points == 1 ? "{number} point" : "{number} points",
+              {{"number", number_text(points)}});
 }
 
 std::string number(double value) {
@@ -165,6 +167,14 @@ std::string number(double value) {
     while (digits.back() == '0') digits.pop_back();
     if (digits.back() == '.') digits.pop_back();
     return digits == "-0" ? "0" : digits;
+}
+
+std::string number_text(double value) {
+    std::string digits = number(value);
+    const std::string decimal_sign = tr("0.25 points").substr(1, 1);
+    if (const std::size_t point = digits.find('.'); point != std::string::npos)
+        digits.replace(point, 1, decimal_sign);
+    return digits;
 }
 
 }  // namespace rt::grade

@@ -46,4 +46,7 @@ struct StudentMarks {
 /// "3", "2.5", "0.33": at most two decimals.
 [[nodiscard]] std::string number(double value);
 
+/// The same with the decimal sign of the reader's language.
+[[nodiscard]] std::string number_text(double value);
+
 }  // namespace rt::grade
