@@ -17,9 +17,10 @@ set(common ${PROJECT_SOURCE_DIR}/common)
 if(RAYSTEPS_EXACT_MESH_BVH)  # a hand-out has no kernels
     raysteps_exact(raysteps_exact_mesh_bvh ${common}/bvh/mesh_bvh.cpp ${RAYSTEPS_EXACT_MESH_BVH})
     add_library(raysteps_exact_common_f64 INTERFACE)
-    target_link_libraries(raysteps_exact_common_f64 INTERFACE raysteps_base)
+    target_link_libraries(raysteps_exact_common_f64 INTERFACE raysteps_choices)
     target_sources(raysteps_exact_common_f64 INTERFACE $<TARGET_OBJECTS:raysteps_exact_mesh_bvh_f64>
-        $<FILTER:$<TARGET_OBJECTS:raysteps_common_f64>,EXCLUDE,/mesh_bvh\\.cpp>)
+        $<TARGET_OBJECTS:raysteps_common_f64>
+        $<FILTER:$<TARGET_OBJECTS:raysteps_with_shapes_f64>,EXCLUDE,/mesh_bvh\\.cpp>)
     raysteps_exact(raysteps_exact_meshes ${common}/program/load_meshes.cpp)
     raysteps_exact(raysteps_exact_program ${common}/program/main.cpp
         DEFINITIONS RAYSTEPS_ROOT="${PROJECT_SOURCE_DIR}")

@@ -6,6 +6,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/exact.cmake)
 #
 # MESHES             this stage and later ones need OpenMesh
 # SHARES_ANEW        its files replace those that earlier stages share with later ones
+# WITHOUT_SHAPES     its program has no shapes to hit: no hierarchy, and no settings to choose
 # OWN_LOOP           its main.cpp has a loop over the shapes, and calls no query
 # WHOLE_KERNEL       its certified kernel includes the rest of the reference
 # SANITIZED_IN_BOTH  sanitizers can find more in float: a Real chooses an element, or a number of lanes
@@ -34,7 +35,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/exact.cmake)
 # stepNN_name_unity_f64      the picture and the references, compiled as unity builds: one for each kind of
 #                            shape, and one for the rest
 function(raysteps_stage)
-    set(flags MESHES SHARES_ANEW OWN_LOOP WHOLE_KERNEL SANITIZED_IN_BOTH)
+    set(flags MESHES SHARES_ANEW WITHOUT_SHAPES OWN_LOOP WHOLE_KERNEL SANITIZED_IN_BOTH)
     cmake_parse_arguments(PARSE_ARGV 0 stage "${flags}" "LOOPS_OVER" "SUITE;PICTURES")
     get_filename_component(name ${CMAKE_CURRENT_SOURCE_DIR} NAME)
     foreach(flag IN LISTS flags)  # RAYSTEPS_MESHES are the stages with MESHES
@@ -172,8 +173,19 @@ function(raysteps_program program stage)
         set(parts ${stage}_unity)
     endif()
     raysteps_both(raysteps_link ${program} @ ${parts} raysteps_common)
+    raysteps_link_for(${program} ${stage})
     if(NOT program STREQUAL stage)
         set_target_properties(${program} PROPERTIES EXCLUDE_FROM_ALL ON)
+    endif()
+endfunction()
+
+# raysteps_link_for(<program> <stage>): links what stands in for hierarchies and choices if the stage is
+# WITHOUT_SHAPES.
+function(raysteps_link_for program stage)
+    get_property(without_shapes GLOBAL PROPERTY RAYSTEPS_WITHOUT_SHAPES)
+    if(stage IN_LIST without_shapes)
+        set_target_properties(${program} PROPERTIES RAYSTEPS_WITHOUT_SHAPES ON)
+        raysteps_both(raysteps_link ${program} @ raysteps_without_shapes)
     endif()
 endfunction()
 

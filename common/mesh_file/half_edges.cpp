@@ -1,49 +1,32 @@
 #include "common/mesh_file/half_edges.hpp"
 
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
-
 #include <algorithm>
 #include <set>
+#include <stdexcept>
 #include <utility>
 #include <vector>
+
+#ifdef RAYSTEPS_HOLES
+#include <dlfcn.h>
+#endif
 
 namespace rt {
 
 namespace {
 
-using HalfEdges = OpenMesh::TriMesh_ArrayKernelT<>;
-
-/// The half-edges of triangles of which none is turned over; what has one side is cut open.
-/// Half-edges need a vertex for each fan of triangles: where two fans touch in a vertex, and at
-/// crowded edges, it is one for each.
-HalfEdges half_edges(const Triangles& triangles, const std::vector<std::uint32_t>& others) {
-    const auto groups = corner_groups(triangles, others, [](auto, auto) { return true; });
-    std::vector<HalfEdges::VertexHandle> vertices(groups.size());
-    HalfEdges mesh;
-    mesh.reserve(groups.size() / 6, groups.size() / 2, triangles.size());
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-        auto& vertex = vertices[groups[i]];
-        if (!vertex.is_valid()) vertex = mesh.add_vertex({0, 0, 0});
-    }
-    for (std::size_t i = 0; i < groups.size(); i += 3) {
-        mesh.add_face(vertices[groups[i]], vertices[groups[i + 1]], vertices[groups[i + 2]]);
-    }
-    return mesh;
+#ifdef RAYSTEPS_HOLES
+/// The function of the library of that name, which is loaded at the first call.
+decltype(raysteps_count_holes)* hole_counter() {
+    void* const library = dlopen(RAYSTEPS_HOLES, RTLD_NOW);
+    void* const function = library == nullptr ? nullptr : dlsym(library, "raysteps_count_holes");
+    if (function == nullptr) throw std::runtime_error(dlerror());
+    return reinterpret_cast<decltype(raysteps_count_holes)*>(function);
 }
-
-/// Counts the closed ways along half-edges without a face.
-void count_holes(const HalfEdges& mesh, MeshForm& form) {
-    std::vector<bool> is_seen(mesh.n_halfedges());
-    for (const auto start : mesh.halfedges()) {
-        if (!mesh.is_boundary(start) || is_seen[std::size_t(start.idx())]) continue;
-        std::size_t length = 0;
-        for (HalfEdges::HalfedgeHandle at = start; !is_seen[std::size_t(at.idx())];
-             at = mesh.next_halfedge_handle(at), ++length)
-            is_seen[std::size_t(at.idx())] = true;
-        ++form.holes;
-        form.longest_hole = std::max(form.longest_hole, length);
-    }
+#else
+constexpr auto hole_counter() {
+    return raysteps_count_holes;
 }
+#endif
 
 std::size_t count_crowded(const Triangles& triangles, const std::vector<std::uint32_t>& others) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
@@ -90,7 +73,8 @@ MeshForm form_of(const Triangles& triangles, std::size_t vertices) {
     for (std::size_t i = 0; i < is_turned.size(); ++i)
         if (is_turned[i]) std::swap(consistent[i][1], consistent[i][2]);
     if (!is_turned.empty()) others = other_sides(consistent, vertices);
-    count_holes(half_edges(consistent, others), form);
+    const auto groups = corner_groups(consistent, others, [](auto, auto) { return true; });
+    hole_counter()(groups, form);
     return form;
 }
 

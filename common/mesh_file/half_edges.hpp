@@ -4,6 +4,8 @@
 #include "common/geometry/mesh_edges.hpp"
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace rt {
 
@@ -16,6 +18,11 @@ struct MeshForm {
     std::size_t turned = 0;         ///< triangles that are turned over, compared to their neighbors
     std::size_t one_sided = 0;  ///< triangles of parts with one side, which half-edges cannot have
 };
+
+/// Adds the closed ways along half-edges without a face to the form. `groups` are those of the
+/// corners (mesh_edges.hpp) of triangles of which none is turned over; what has one side is cut
+/// open.
+extern "C" void raysteps_count_holes(const std::vector<std::uint32_t>& groups, MeshForm& form);
 
 /// Returns the form of the triangles; vertices in the same place must be one.
 [[nodiscard]] MeshForm form_of(const Triangles& triangles, std::size_t vertices);

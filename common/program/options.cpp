@@ -110,8 +110,9 @@ void check_precision(const Program& program, Precision precision) {
                              " --precision exact builds and runs it");
 }
 
-/// Adds the options for automatic settings.
-void add_goals(CLI::App& app, Options& options) {
+/// Adds the options for automatic settings, where there is something to choose for.
+void add_goals(CLI::App& app, int stage, Options& options) {
+    if (stage < shapes_stage) return;
     add_number(app, "--tolerance", least_error, brightest,
                "choose the cheapest settings with at most this error of a pixel, of 255: beside "
                "the mean of many rays, or of --samples N if given",
@@ -217,7 +218,8 @@ void add_pixel_log(CLI::App& app, int stage, Options& options) {
         ->excludes("--pixel");
 }
 
-void add_hierarchy(CLI::App& app, std::optional<std::size_t>& from) {
+void add_hierarchy(CLI::App& app, int stage, std::optional<std::size_t>& from) {
+    if (stage < shapes_stage) return;
     app.add_option(
            "--hierarchy-from", from,
            "build a hierarchy from this many shapes of a kind on; 32 if not given, 8 for meshes")
@@ -249,9 +251,9 @@ void add_turn(CLI::App& app, int stage, std::optional<int>& frames) {
                        "of all shapes")
             ->transform(whole_number(2, most_frames))
             ->type_name("N");
-    for (const char* other : {"--pixel", "--requirements", "--preview", "--tolerance", "--time"})
-        turn->excludes(other);
-    if (stage >= shapes_stage) turn->excludes("--rays");
+    for (const char* other : {"--pixel", "--requirements", "--preview"}) turn->excludes(other);
+    if (stage < shapes_stage) return;
+    for (const char* other : {"--tolerance", "--time", "--rays"}) turn->excludes(other);
 }
 
 /// The output of --pixel and --rays contains nothing else, and with them and --requirements no
@@ -261,7 +263,8 @@ void exclude_from_logs(CLI::App& app) {
         if (CLI::Option* const option = app.get_option_no_throw(log))
             for (const char* other :
                  {"--output", "--requirements", "--preview", "--tolerance", "--time"})
-                option->excludes(other);
+                if (CLI::Option* const excluded = app.get_option_no_throw(other))
+                    option->excludes(excluded);
     app.get_option("--requirements")->excludes("--output");
 }
 
@@ -335,8 +338,8 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
     add_pixel_log(app, program.stage, options);
     add_shade_options(app, program.stage, options);
     add_light_options(app, program.stage, options.settings);
-    add_hierarchy(app, options.hierarchy_from);
-    add_goals(app, options);
+    add_hierarchy(app, program.stage, options.hierarchy_from);
+    add_goals(app, program.stage, options);
     add_reading(app, options, is_horizontal);
     app.add_flag("--requirements", options.requirements,
                  "print what the scene requires and what is omitted, and make no picture");

@@ -3,18 +3,8 @@
 #include "common/tuning/pixel_errors.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace rt {
-
-int sufficient_depth(double strongest_mirror, double tolerance) {
-    // The omitted reflections use at most an eighth of the tolerance; the samples use the rest.
-    const double visible = tolerance / 8 / 255;
-    if (strongest_mirror <= 0 || visible >= 1) return 0;
-    if (strongest_mirror >= 1) return most_depth;
-    const double reflections = std::log(visible) / std::log(strongest_mirror);
-    return int(std::clamp(std::ceil(reflections) - 1, 0., double(most_depth)));
-}
 
 SeenDepth seen_depth(TrialRunner& runner, const Trials& trials, const RenderSettings& deepest) {
     constexpr std::size_t enough = 512;  // less than 0.6 % of the pixels need more, probably

@@ -3,11 +3,21 @@
 
 #include "common/tuning/trial_runner.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace rt {
 
 /// The smallest depth at which the omitted reflections are too weak to see: n reflections off
 /// mirrors of strength m contribute with a weight of m^n. The tolerance is in 8-bit levels.
-[[nodiscard]] int sufficient_depth(double strongest_mirror, double tolerance);
+[[nodiscard]] inline int sufficient_depth(double strongest_mirror, double tolerance) {
+    // The omitted reflections use at most an eighth of the tolerance; the samples use the rest.
+    const double visible = tolerance / 8 / 255;
+    if (strongest_mirror <= 0 || visible >= 1) return 0;
+    if (strongest_mirror >= 1) return most_depth;
+    const double reflections = std::log(visible) / std::log(strongest_mirror);
+    return int(std::clamp(std::ceil(reflections) - 1, 0., double(most_depth)));
+}
 
 /// Returns the smallest depth with which some trial pixels have the color of the given, larger one,
 /// but for an eighth of the tolerance, and their number.

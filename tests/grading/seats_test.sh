@@ -28,7 +28,7 @@ starts_of() {
 objects() {
     find "$build/common" "$build/steps" -path "*$1*" \( -name '*.cpp.o' -o -name '*.cxx.o' \)
 }
-bvh=$(objects /raysteps_common_f64.dir/bvh/mesh_bvh)
+bvh=$(objects /raysteps_with_shapes_f64.dir/bvh/mesh_bvh)
 for object in $(objects /raysteps_common_f64.dir/ | grep 'stories\|/story\|pixel_log_parts'); do
     starts_of "$object"
 done > "$folder/stories"

@@ -51,6 +51,7 @@ refused "a folder for a scene" "error:" step03_sphere "$scenes"
 refused "a later stage's scene" "step08_cone" step07_cylinder "$scenes/step08_cone.rt"
 refused "a shade before there are shapes" "--shade" step02_camera_basis --shade normal
 
+refused "a tolerance before there are shapes" "--tolerance" step02_camera_basis --tolerance 2
 refused "a term before there is light" "--term" step08_cone --term diffuse
 refused "an unknown term" "--term" step09_phong --term shiny
 refused "samples before lights have a size" "--shadow-samples" step10_shadows --shadow-samples 4
@@ -129,6 +130,14 @@ cmp -s 1.png 2.png || fail "the loop of stage 1 and the program's make the same 
 "$build/step08_cone" -o f.png --precision float --size 160x120 > out
 grep -q ', float, ' out || fail "--precision float is told"
 grep -aq 'float' f.png || fail "the picture says its precision"
+
+# OpenMesh, which counts the holes of meshes, is loaded for that only.
+if [ -x "$build/step13_meshes" ]; then
+    LD_DEBUG=files "$build/step13_meshes" -o a.png --size 8x6 --quiet 2> err
+    ! grep OpenMesh err || fail "a picture does not load OpenMesh"
+    "$build/step13_meshes" --requirements > out
+    grep -q 'closed\|hole' out || fail "--requirements counts the holes of a mesh"
+fi
 
 # Numbers of pixels: the same file on any number of threads, and its legend in it and in the terminal.
 for shade in depth id t cost "samples --pixel-error 4"; do

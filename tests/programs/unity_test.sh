@@ -1,6 +1,7 @@
 #!/bin/sh
 # Each stage's program is linked from unity builds of its parts, without which pictures take up to a
 # fifth longer and nothing else changes (common/cmake/stage.cmake): unity_test.sh BUILD PROJECT STAGE…
+# Programs and suites of the stages before there are shapes need no choice of settings, and no hierarchy.
 build=$1
 project=$2
 shift 2
@@ -20,5 +21,14 @@ for stage in "$@"; do
         done
     done
     ! grep "_\(reference\|main\|shared\)_f[36][24]\.dir/" "$folder/inputs" || fail "$stage is linked from separate parts"
+done
+
+for stage in step01_ray_generation step02_camera_basis step03_sphere; do
+    ninja -C "$build" -t query "$stage" "${stage}_checked" "${stage}_test_float" "${stage}_test_double" > "$folder/inputs" ||
+        fail "$stage has a program and suites"
+    case $stage in
+        step03_sphere) grep -q raysteps_choices "$folder/inputs" && grep -q raysteps_with_shapes "$folder/inputs" ;;
+        *) ! grep 'raysteps_choices\|raysteps_with_shapes' "$folder/inputs" ;;
+    esac || fail "only from step03_sphere on, there is something to choose: $stage"
 done
 exit $failed
