@@ -1,6 +1,7 @@
 // All settings together: the error of a picture, beside one of 1,024 rays through each pixel, and
-// its time. From the cheapest settings on, each setting is tried one step finer, and the one that
-// removes most error for its time is kept.
+// its time. From the cheapest settings on, the neighbors of all that no others beat are tried: each
+// setting finer and coarser, and settings that depend on each other in pairs, as a number of rays
+// and the error at which they stop; in steps that become smaller.
 #include "common/program/renderer.hpp"
 #include "common/tuning/candidates.hpp"
 
@@ -12,6 +13,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -20,8 +22,8 @@ using namespace rt;
 namespace {
 
 constexpr Resolution size{.width = 64, .height = 48};
-constexpr double longest = 40;  ///< in units of the default settings' time
-constexpr double least_error = 0.5;
+constexpr double longest = 30;  ///< in units of the default settings' time
+constexpr double least_error = 0.7;
 constexpr int deep = 64;
 
 /// Settings, and what only the program's options say.
@@ -39,37 +41,43 @@ struct Result {
 /// Finer values of one setting, from the cheapest on.
 using Ladder = std::vector<std::function<void(RenderSettings&)>>;
 
-Ladder numbers_of_rays() {
+Ladder most_rays() {
     Ladder ladder;
-    for (int count = 1; count <= 256; count *= 4)
+    for (const int count :
+         {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024})
         ladder.push_back([=](RenderSettings& settings) { settings.pixel_samples = count; });
     return ladder;
 }
 
+/// Errors at which the rays through a pixel stop, and none, which sends all.
 Ladder pixel_errors() {
-    Ladder ladder = {[](RenderSettings& settings) { settings.pixel_samples = 1; }};
-    for (double error = 32; error > 0.4; error /= 2)
+    Ladder ladder;
+    for (double error = 64; error > 0.4; error /= std::sqrt(2))
         ladder.push_back([=](RenderSettings& settings) {
-            settings.pixel_samples = 1024;
-            settings.pixel_error = error;
+            const bool several = settings.pixel_samples > 1;
+            settings.pixel_error = several ? std::round(100 * error) / 100 : 0;
         });
+    ladder.push_back([](RenderSettings& settings) { settings.pixel_error = 0; });
     return ladder;
 }
 
-Ladder shadow_samples() {
+Ladder most_shadow_rays() {
     Ladder ladder;
-    for (int count = 1; count <= 64; count *= 4)
+    for (int count = 1; count <= 256; count *= 2)
         ladder.push_back([=](RenderSettings& settings) { settings = with_rays(settings, count); });
     return ladder;
 }
 
+/// The same for the rays to a light.
 Ladder shadow_errors() {
-    Ladder ladder = {[](RenderSettings& settings) { settings = with_rays(settings, 1); }};
-    for (double error = 16; error > 0.9; error /= 2) {
-        const int agree = error > 5 ? 8 : 32;
-        ladder.push_back(
-            [=](RenderSettings& settings) { settings = to_error(settings, error, agree); });
-    }
+    Ladder ladder;
+    for (double error = 16; error > 0.9; error /= 2)
+        ladder.push_back([=](RenderSettings& settings) {
+            if (settings.shadow_samples == 1) return;
+            settings.shadow_error = error;
+            settings.shadow_agree = error > 5 ? 8 : 32;
+        });
+    ladder.push_back([](RenderSettings&) {});
     return ladder;
 }
 
@@ -88,45 +96,42 @@ public:
         options.scene = file_;
         options.size = size;
         session_ = f64::make_renderer(program, options);
+        traits_ = session_->traits();
         RenderSettings right{.pixel_samples = 1024, .depth = deep};
-        if (session_->traits().sized_lights) right = with_rays(right, 1);
+        if (traits_.sized_lights) right = with_rays(right, 1);
         exact_ = drawn({.settings = right}).image;
+        ladders_ = {most_rays(), pixel_errors()};
+        if (traits_.sized_lights)
+            ladders_.insert(ladders_.end(), {most_shadow_rays(), shadow_errors()});
+        if (traits_.strongest_mirror > 0) ladders_.push_back(depths());
     }
 
     void measure() {
-        const SceneTraits traits = session_->traits();
-        (void)result({});
-        std::vector<Cell> kept;
-        for (const Ladder& pixels : {numbers_of_rays(), pixel_errors()}) {
-            std::vector<Ladder> ladders = {pixels};
-            if (traits.strongest_mirror > 0) ladders.push_back(depths());
-            if (!traits.sized_lights) {
-                climb(ladders, kept);
-                continue;
-            }
-            ladders.push_back(shadow_samples());
-            climb(ladders, kept);
-            ladders.back() = shadow_errors();
-            climb(ladders, kept);
-        }
-        for (Cell cell : kept) {
-            if (!is_on_front(cell)) continue;
+        for (int count = 1; count <= 256; count *= 4)  // how a mere number of rays compares
+            (void)result({.settings = {.pixel_samples = count}}, "cell", true);
+        search(4);
+        search(2);
+        if (ladders_.size() == 2) search(1);  // with more settings it would take minutes
+        for (const Steps& steps : front()) {
+            Cell cell = cell_of(steps);
             cell.in_float = true;
             (void)result(cell);
             cell.in_float = false;
-            if (traits.shapes < 2 || traits.shapes > 100) continue;  // long lists are slow
+            if (traits_.shapes < 2 || traits_.shapes > 100) continue;  // long lists are slow
             for (const std::size_t hierarchy_from : {std::size_t(2), std::size_t(1'000'000)}) {
                 cell.hierarchy_from = hierarchy_from;
                 (void)result(cell);
             }
         }
         choices();
+        print();
     }
 
 private:
     inline static const Program program{.stage = 13, .root = RAYSTEPS_ROOT};
 
     using Key = std::tuple<int, double, int, double, int, int, bool, std::size_t>;
+    using Steps = std::vector<std::size_t>;  ///< the place in each ladder
 
     static Key key(const Cell& cell) {
         const RenderSettings& settings = cell.settings;
@@ -142,87 +147,140 @@ private:
         return draw(cell.settings);
     }
 
-    const Result& result(const Cell& cell, const char* what = "cell") {
-        const auto [known, is_new] = results_.try_emplace(key(cell));
-        if (!is_new) return known->second;
-        TimeRatio ratio = time_ratio([&] { return drawn(cell); }, [&] { return drawn({}); });
-        known->second.off = difference(std::exchange(ratio.image, {}), exact_);
-        known->second.ratio = std::move(ratio);
-        print(what, cell, known->second);
-        return known->second;
+    Drawing drawn_unit() {
+        Drawing unit = drawn({});
+        unit_seconds_ = std::min(unit_seconds_, unit.seconds);
+        return unit;
     }
 
-    void print(const char* what, const Cell& cell, const Result& result) const {
+    /// Settings that a single run shows to be far behind others are not measured in turns.
+    const Result& result(const Cell& cell, const std::string& what = "cell",
+                         bool in_turns = false) {
+        const auto [known, is_new] = results_.try_emplace(key(cell));
+        if (!is_new) return known->second;
+        (void)drawn_unit();
+        const Drawing once = drawn(cell);
+        Result own;
+        own.off = difference(once.image, exact_);
+        own.ratio.time = once.seconds / unit_seconds_;
+        constexpr double far = 1.25;  // a single run
+        if (in_turns || !is_behind(own, far)) {
+            own.ratio = time_ratio([&] { return drawn(cell); }, [&] { return drawn_unit(); });
+            own.ratio.image = {};
+            measured_.push_back({.what = what, .cell = cell, .is_chosen = in_turns});
+        }
+        return known->second = std::move(own);
+    }
+
+    /// Returns whether others are that much faster, and no less accurate.
+    [[nodiscard]] bool is_behind(const Result& own, double far) const {
+        return own.ratio.time > longest || std::ranges::any_of(results_, [&](const auto& other) {
+                   const double time = other.second.ratio.time;
+                   return time > 0 && far * time < own.ratio.time &&
+                          other.second.off.error <= own.off.error;
+               });
+    }
+
+    /// Prints what is on the front or close to it, and what was chosen before.
+    void print() const {
+        constexpr double far = 1.1;
+        for (const auto& [what, cell, is_chosen] : measured_) {
+            const Result& own = results_.at(key(cell));
+            if (is_chosen || !is_behind(own, far)) print(what, cell, own);
+        }
+    }
+
+    void print(const std::string& what, const Cell& cell, const Result& result) const {
         const RenderSettings& settings = cell.settings;
         const TimeRatio& ratio = result.ratio;
         std::printf("%s,%s,%d,%g,%d,%g,%d,%d,%s,%zu,%.4f,%.4f,%.4f,%.4g,%d,%.5f\n", name_.c_str(),
-                    what, settings.pixel_error > 0 ? 0 : settings.pixel_samples,
-                    settings.pixel_error, settings.shadow_error > 0 ? 0 : settings.shadow_samples,
-                    settings.shadow_error, settings.shadow_agree, settings.depth,
-                    cell.in_float ? "float" : "double", cell.hierarchy_from, ratio.time,
-                    ratio.least, ratio.greatest, result.off.error, result.off.most,
+                    what.c_str(), settings.pixel_samples, settings.pixel_error,
+                    settings.shadow_samples, settings.shadow_error, settings.shadow_agree,
+                    settings.depth, cell.in_float ? "float" : "double", cell.hierarchy_from,
+                    ratio.time, ratio.least, ratio.greatest, result.off.error, result.off.most,
                     result.off.seen);
         std::fflush(stdout);
     }
 
-    void climb(const std::vector<Ladder>& ladders, std::vector<Cell>& kept) {
-        std::vector<std::size_t> steps(ladders.size());
-        const auto cell_of = [&](const std::vector<std::size_t>& places) {
-            Cell cell;
-            for (std::size_t i = 0; i < ladders.size(); ++i) ladders[i][places[i]](cell.settings);
-            return cell;
-        };
-        for (;;) {
-            kept.push_back(cell_of(steps));
-            const Result here = result(kept.back());
-            if (here.off.error < least_error || here.ratio.time > longest) return;
-            double best = -std::numeric_limits<double>::infinity();
-            std::vector<std::size_t> next;
-            for (std::size_t i = 0; i < ladders.size(); ++i) {
-                if (steps[i] + 1 == ladders[i].size()) continue;
-                std::vector<std::size_t> finer = steps;
-                ++finer[i];
-                const Result there = result(cell_of(finer));
-                const double worth = std::log(here.off.error / there.off.error) /
-                                     std::log(std::max(there.ratio.time / here.ratio.time, 1.02));
-                if (worth <= best) continue;
-                best = worth;
-                next = finer;
-            }
-            if (next.empty()) return;
-            steps = next;
-        }
+    [[nodiscard]] Cell cell_of(const Steps& steps) const {
+        Cell cell;
+        for (std::size_t i = 0; i < steps.size(); ++i) ladders_[i][steps[i]](cell.settings);
+        return cell;
     }
 
-    [[nodiscard]] bool is_on_front(const Cell& cell) {
-        const Result own = result(cell);
-        return std::ranges::none_of(results_, [&](const auto& other) {
-            return other.second.ratio.time < own.ratio.time &&
-                   other.second.off.error < own.off.error;
-        });
+    /// The settings tried that no others beat, but for those more accurate than anybody wants.
+    [[nodiscard]] std::vector<Steps> front() {
+        for (const Steps& steps : tried_) (void)result(cell_of(steps));
+        std::vector<Steps> best;
+        for (const Steps& steps : tried_) {
+            const Result& own = result(cell_of(steps));
+            if (own.off.error >= least_error && own.ratio.time <= longest &&
+                std::ranges::none_of(results_, [&](const auto& other) {
+                    return other.second.ratio.time < own.ratio.time &&
+                           other.second.off.error < own.off.error;
+                }))
+                best.push_back(steps);
+        }
+        return best;
+    }
+
+    /// Tries the neighbors of all settings on the front, until it stays.
+    void search(std::size_t stride) {
+        std::set<Steps> searched;
+        tried_.insert(Steps(ladders_.size()));  // the cheapest
+        for (bool again = true; std::exchange(again, false);)
+            for (const Steps& steps : front()) {
+                if (!searched.insert(steps).second) continue;
+                again = true;
+                add_neighbors(steps, stride);
+            }
+    }
+
+    void add_neighbors(const Steps& steps, std::size_t stride) {
+        const auto moved = [&](Steps from, std::size_t i, bool finer) {
+            const std::size_t last = ladders_[i].size() - 1;
+            const std::size_t step = last < 5 ? 1 : stride;
+            from[i] = finer ? std::min(from[i] + step, last) : from[i] - std::min(from[i], step);
+            return from;
+        };
+        for (std::size_t i = 0; i < steps.size(); ++i)
+            for (const bool finer : {false, true}) {
+                tried_.insert(moved(steps, i, finer));
+                if (i % 2 == 0) continue;  // the others are errors, of the rays before
+                for (const bool more : {false, true})
+                    tried_.insert(moved(moved(steps, i, finer), i - 1, more));
+            }
     }
 
     /// The settings that --tolerance chooses.
     void choices() {
         const std::atomic<bool> going_on = false;
-        for (const double tolerance : {1, 2, 4, 8}) {
+        for (const int tolerance : {1, 2, 4, 8}) {
             Aim aim;
             aim.tolerance = tolerance;
             const auto choice = choose(*session_, {}, aim, Clock::now(), going_on);
             const Cell cell{.settings = choice->expected.settings};
             results_.erase(key(cell));
-            char what[32];
-            std::snprintf(what, sizeof what, "tolerance %g", tolerance);
-            (void)result(cell, what);
+            (void)result(cell, "tolerance " + std::to_string(tolerance), true);
         }
     }
 
     std::string name_;
     std::string file_;
     std::unique_ptr<Renderer> session_;
+    SceneTraits traits_;
+    std::vector<Ladder> ladders_;  ///< of pixels, of lights with a size, and of mirrors
     std::map<std::pair<bool, std::size_t>, Drawer> drawers_;
     Image exact_;
+    double unit_seconds_ = std::numeric_limits<double>::infinity();  ///< of the default settings
     std::map<Key, Result> results_;
+    struct Measured {
+        std::string what;
+        Cell cell;
+        bool is_chosen = false;
+    };
+    std::vector<Measured> measured_;
+    std::set<Steps> tried_;
 };
 
 }  // namespace
