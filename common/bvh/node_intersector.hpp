@@ -136,9 +136,9 @@ public:
     }
 
 private:
-    /// The displacement of a ray, relative to D + 1: by the rounded test of a shape, 17 u, which is
-    /// the 34 u L of docs/reference/error_bounds.md for differences of D + 1 in place of 2 L; and
-    /// by the change of its start, 5 u.
+    /// The displacement of a ray, relative to D + 1: by the rounded test of a shape, 17 u for D >=
+    /// 1 and up to 30 u for a start among the shapes (docs/reference/error_bounds.md); and by the
+    /// change of the start, 5 u for D > 2, before 2 u D / (D + 1).
     static constexpr Real displacement = 32 * unit_roundoff;
     static constexpr float float_roundoff = 0x1p-24F;
     /// In units of u: the start of a ray is at most 6 from the center and is rounded twice, by 4
