@@ -34,8 +34,9 @@ struct LogDiff {
 enum class Writer { queries, own_loop };
 
 /// Two explanations, line by line. Numbers that differ by rounding alone are equal. The interval of
-/// a test is no difference, nor is, with another interval, a hit that is not nearer. A loop of the
-/// student's logs no closest hit, and a shape that it leaves out is a difference.
+/// a test is no difference, nor is, with another interval, a hit that is not nearer, nor where a
+/// shadow ray ends before its light, if that is close to it. A loop of the student's logs no
+/// closest hit, and a shape that it leaves out is a difference.
 [[nodiscard]] LogDiff compare_logs(const std::string& mine, const std::string& reference,
                                    Writer writer = Writer::queries);
 

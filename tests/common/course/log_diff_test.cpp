@@ -24,6 +24,20 @@ TEST_CASE("numbers are compared, not their texts") {
     CHECK_FALSE(differ("The ray\n  t = nan\n", "The ray\n  t = nan\n"));
 }
 
+TEST_CASE("a scene of millimeters has differences of micrometers") {
+    CHECK(differ("The ray\n  t = 0.004001\n", "The ray\n  t = 0.004\n"));
+    CHECK_FALSE(differ("The ray\n  t = 0.004000000000000001\n", "The ray\n  t = 0.004\n"));
+}
+
+TEST_CASE("a shadow ray may end a little before the light, and not far before it") {
+    const auto end = [](const char* t) {
+        return "The light\n  the shadow ray's interval = (0, " + std::string(t) + ")\n";
+    };
+    CHECK_FALSE(differ(end("0.9999"), end("0.9999999999999881")));
+    CHECK(differ(end("0.9"), end("0.9999999999999881")));
+    CHECK(differ(end("inf"), end("0.9999999999999881")));
+}
+
 TEST_CASE("lines without a name are compared by their numbers too") {
     CHECK_FALSE(differ("S\n  missed at (0.30000000000000004, -0)\n", "S\n  missed at (0.3, 0)\n"));
     CHECK(compare_logs("S\n  missed at 3\n", "S\n  missed at 4\n").rows.size() == 2);
