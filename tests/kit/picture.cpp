@@ -45,7 +45,8 @@ Verdict picture_matches(const std::string& name, const Drawing& drawing) {
     Scene scene = load_scene(project_file("scenes/" + scene_name + ".rt"), orthonormal_basis,
                              {.strict = true});
     load_meshes(scene);
-    build_acceleration(scene);
+    // As stages 3 to 8 draw it: a wrong hit outside of the shape's bounding sphere is seen.
+    build_acceleration(scene, {.balls = false});
     scene.resolution = reference.resolution;
     const Image image = rendered(scene, drawing.settings, drawing.every);
 

@@ -65,7 +65,8 @@ Scene scene_of(const std::string& text) {
     // Paths of meshes are relative to the project's folder of scenes.
     Scene scene = parse_scene(text, project_file("scenes/trace.rt"), orthonormal_basis);
     load_meshes(scene);
-    build_acceleration(scene);
+    // As stages 3 to 8 draw it: a wrong hit outside of the shape's bounding sphere is seen.
+    build_acceleration(scene, {.balls = false});
     return scene;
 }
 
