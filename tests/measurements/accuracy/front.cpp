@@ -110,8 +110,10 @@ public:
         for (int count = 1; count <= 256; count *= 4)  // how a mere number of rays compares
             (void)result({.settings = {.pixel_samples = count}}, "cell", true);
         search(4);
-        search(2);
-        if (ladders_.size() == 2) search(1);  // with more settings it would take minutes
+        if (ladders_.size() == 2) {  // with more settings these would take minutes
+            search(2);
+            search(1);
+        }
         for (const Steps& steps : front()) {
             Cell cell = cell_of(steps);
             cell.in_float = true;
