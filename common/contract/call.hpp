@@ -67,4 +67,34 @@ private:
     std::string gone_;  ///< the reason why no more queries are sent
 };
 
+// The parts of a call's arguments, with their names.
+
+/// Calls visit(part, its name) for a value and all of its parts.
+template <class Visit>
+void for_each_within(Value& value, const std::string& name, Visit& visit) {
+    visit(value, name);
+    for (std::size_t i = 0; i < value.parts.size(); ++i) {
+        const bool named = value.type->kind == Type::Kind::record;
+        for_each_within(value.parts[i], named ? value.type->parts[i].name : name, visit);
+    }
+}
+
+template <class Visit>
+void for_each_within(Call& call, Visit visit) {
+    for (Value& argument : call.arguments) for_each_within(argument, "", visit);
+}
+
+/// True for the name of a point, false for a direction's.
+[[nodiscard]] bool is_place(const std::string& name);
+
+[[nodiscard]] bool is_basis(const Value& value);
+
+/// The call of the stage that a suite has printed, without an interval that has no end; nothing if
+/// it is none.
+[[nodiscard]] std::optional<Call> call_of_suite(int stage, std::string text);
+
+/// The calls of the stage's functions with which failures begin in the output of
+/// tests/kit/report.cpp, in its order. Other questions, of several calls say, are left out.
+[[nodiscard]] std::vector<Call> failing_calls(int stage, const std::string& report);
+
 }  // namespace rt::contract

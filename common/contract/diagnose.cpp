@@ -3,9 +3,9 @@
 // Diagnoses the functions of WORKER, whose suite has written REPORT: prints the known mistakes that
 // they show, or the smallest call with an answer that differs from the reference's. Exit status 0
 // if nothing is found, 1 if something is, 2 if the worker could not be queried.
+#include "common/contract/call.hpp"
 #include "common/contract/difference_texts.hpp"
-#include "common/contract/failing_calls.hpp"
-#include "common/contract/files.hpp"
+#include "common/contract/probes.hpp"
 #include "common/contract/recognition.hpp"
 #include "common/contract/smallest.hpp"
 

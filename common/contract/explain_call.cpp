@@ -3,7 +3,7 @@
 // Explains a call that a suite has reported, for `./course explain`: the quantities of the
 // documents for an intersection, and the result of the worker's function. Exit status 2 if it is no
 // call of the stage.
-#include "common/contract/failing_calls.hpp"
+#include "common/contract/call.hpp"
 #include "common/explain/pixel_log.hpp"
 #include "common/scene/scene.hpp"
 

@@ -1,6 +1,6 @@
 #include "common/contract/smallest.hpp"
 
-#include "common/contract/call_parts.hpp"
+#include "common/contract/call.hpp"
 
 #include <cmath>
 

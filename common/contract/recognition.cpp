@@ -1,6 +1,6 @@
 #include "common/contract/recognition.hpp"
 
-#include "common/contract/open_answers.hpp"
+#include "common/contract/probes.hpp"
 
 #include <algorithm>
 #include <set>

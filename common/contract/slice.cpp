@@ -3,7 +3,7 @@
 #include "common/geometry/ray.hpp"
 #include "common/math/vector.hpp"
 #include "common/scene/scene.hpp"
-#include "common/system/formatted.hpp"
+#include "common/system/text.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -10,8 +10,8 @@
 #include "common/course/own/check_own.hpp"
 #include "common/course/own/lay_out.hpp"
 #include "common/course/view/view.hpp"
+#include "common/system/parse_floating.hpp"
 #include "common/system/translation.hpp"
-#include "common/system/two_numbers.hpp"
 
 #include <algorithm>
 #include <sstream>

@@ -1,6 +1,6 @@
 #include "common/image/animation.hpp"
 
-#include "common/image/encode_png.hpp"
+#include "common/image/png.hpp"
 #include "common/system/whole_file.hpp"
 
 #include <zlib.h>

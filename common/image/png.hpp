@@ -4,7 +4,9 @@
 #include "common/image/gamma.hpp"
 #include "common/image/image.hpp"
 
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rt {
@@ -26,5 +28,16 @@ void check_writable(const std::string& file);
 
 /// Reads any PNG file as 8-bit colors. Throws InputError if the file is not a PNG.
 [[nodiscard]] Image read_png(const std::string& file);
+
+// Pictures in the bytes of a PNG file, compressed as it suits them.
+
+/// Receives the bytes of a file, a part at a time.
+using ByteSink = std::function<void(std::string_view)>;
+
+/// Passes a PNG file of the picture to `sink`. Filter and compression are those, of three, that
+/// make the fewest bytes of a few of its rows: a picture has the same bytes wherever zlib is the
+/// same. Throws InputError with this name of the file if libpng fails.
+void encode_png(const Image& image, const std::vector<PngText>& texts, Gamma gamma,
+                const std::string& name, const ByteSink& sink);
 
 }  // namespace rt

@@ -3,8 +3,8 @@
 #include "common/geometry/mesh_edges.hpp"
 #include "common/geometry/mesh_normals.hpp"
 #include "common/mesh_file/mesh_file.hpp"
-#include "common/system/formatted.hpp"
 #include "common/system/huge_pages.hpp"
+#include "common/system/text.hpp"
 
 #include <glm/geometric.hpp>
 

@@ -3,6 +3,8 @@
 
 #include "common/mesh_file/mesh_file.hpp"
 
+#include <glm/vec3.hpp>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -70,6 +72,23 @@ private:
     std::vector<std::uint32_t> corners_;  ///< of one face; a member so that its memory is reused
     /// The copies of vertices with several normals.
     std::map<std::pair<std::uint32_t, std::array<double, 3>>, std::uint32_t> copies_;
+};
+
+// Numbers for places, the same for the same place.
+
+/// Numbers places from 0, in the order in which they come: a hash table of open addresses.
+class Welder {
+public:
+    /// Returns the number of a place that came before, else the next number. Coordinates are equal
+    /// only if all of their digits are.
+    std::uint32_t place(glm::dvec3 point);
+
+private:
+    [[nodiscard]] std::uint32_t& slot_of(glm::dvec3 point);
+    void grow();
+
+    std::vector<glm::dvec3> places_;
+    std::vector<std::uint32_t> slots_;  ///< numbers from 1; 0 is free. A power of two of them
 };
 
 }  // namespace rt

@@ -1,8 +1,8 @@
 #include "common/mesh_file/mesh_lines.hpp"
 
 #include "common/system/escaping.hpp"
-#include "common/system/lower_case.hpp"
 #include "common/system/parse_floating.hpp"
+#include "common/system/text.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,6 +1,6 @@
 #include "common/mesh_file/mesh_formats.hpp"
 #include "common/mesh_file/mesh_lines.hpp"
-#include "common/mesh_file/ply_checks.hpp"
+#include "common/mesh_file/ply_header.hpp"
 #include "common/mesh_file/ply_items.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "common/mesh_file/ply_header.hpp"
 
 #include "common/system/escaping.hpp"
-#include "common/system/lower_case.hpp"
+#include "common/system/text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -88,6 +88,109 @@ PlyHeader take_ply_header(MeshLines& lines) {
         }
     }
     lines.refuse("the file ends before its end_header");
+}
+
+namespace {
+
+std::ptrdiff_t count_of(const PlyElement& element, std::string_view property) {
+    return std::ranges::count(element.properties, property, &PlyProperty::name);
+}
+
+void check_vertex(const PlyElement& vertex, const std::string& file) {
+    for (const std::string_view name : ply_coordinates) {
+        const std::ptrdiff_t count = count_of(vertex, name);
+        if (count == 1 || (count == 0 && name[0] == 'n')) continue;
+        throw InputError({file, vertex.line}, "a vertex has " + std::to_string(count) +
+                                                  " properties " + std::string(name) +
+                                                  ": expected one");
+    }
+    for (const PlyProperty& p : vertex.properties) {
+        if (!p.length || std::ranges::find(ply_coordinates, p.name) == ply_coordinates.end())
+            continue;
+        throw InputError({file, p.line}, "a vertex's " + p.name + " is a list: expected a number");
+    }
+}
+
+/// Checks an element of faces or of strips.
+void check_corners(const PlyElement& face, const std::string& file) {
+    const std::ptrdiff_t count = std::ranges::count_if(face.properties, is_corners);
+    if (count != 1) {
+        std::string others;
+        for (const PlyProperty& p : face.properties)
+            if (p.length && !is_corners(p))
+                others += (others.empty() ? "" : ", ") + rt::quoted(p.name);
+        throw InputError(
+            {file, face.line},
+            "a " + face.name + " has " + std::to_string(count) + " lists vertex_indices" +
+                (others.empty() ? "" : ", and the lists " + others) + ": expected one");
+    }
+    const PlyProperty& corners = *std::ranges::find_if(face.properties, is_corners);
+    if (corners.length && !corners.type.is_float) return;
+    throw InputError({file, corners.line},
+                     rt::quoted(corners.name) + " must be a list of whole numbers");
+}
+
+}  // namespace
+
+void name_corners(PlyHeader& header, MeshBuilder& builder) {
+    for (PlyElement& element : header.elements) {
+        if (!has_faces(element) || std::ranges::any_of(element.properties, is_corners)) continue;
+        const auto may_be_corners = [](const PlyProperty& p) {
+            return p.length && !p.length->is_float && !p.type.is_float;
+        };
+        if (std::ranges::count_if(element.properties, may_be_corners) != 1) continue;
+        PlyProperty& corners = *std::ranges::find_if(element.properties, may_be_corners);
+        builder.warn("the list " + rt::quoted(corners.name) + " is read as vertex_indices",
+                     corners.line);
+        corners.name = "vertex_indices";
+    }
+}
+
+void check_ply_header(const PlyHeader& header, const std::string& file) {
+    if (header.format != "ascii" && header.format != "binary_little_endian" &&
+        header.format != "binary_big_endian") {
+        throw InputError({file},
+                         "expected the format ascii, binary_little_endian or binary_big_endian, "
+                         "not " +
+                             rt::quoted(header.format));
+    }
+    const auto& elements = header.elements;
+    const auto vertices = std::ranges::count(elements, "vertex", &PlyElement::name);
+    if (vertices != 1) {
+        throw InputError({file},
+                         "has " + std::to_string(vertices) + " elements vertex: expected one");
+    }
+    if (std::ranges::none_of(elements, has_faces))
+        throw InputError({file}, "has no element face, and so no surface: points cannot be drawn");
+    for (const PlyElement& element : elements) {
+        for (const PlyProperty& p : element.properties) {
+            if (!p.length || !p.length->is_float) continue;
+            throw InputError({file, p.line},
+                             "the length of the list " + rt::quoted(p.name) +
+                                 " must be a whole number, as uchar or int, not a " +
+                                 std::string(p.length->name));
+        }
+        if (element.name == "vertex") check_vertex(element, file);
+        if (has_faces(element)) check_corners(element, file);
+    }
+}
+
+void check_ply_size(const PlyHeader& header, std::uint64_t bytes, const std::string& file) {
+    for (const PlyElement& element : header.elements) {
+        std::uint64_t least = 0;
+        for (const PlyProperty& p : element.properties)
+            least += p.length ? p.length->size : p.type.size;
+        if (least == 0) continue;
+        if (element.count > bytes / least) {
+            const std::string what = element.name == "vertex" ? "vertices"
+                                     : element.name == "face"
+                                         ? "faces"
+                                         : "items of " + rt::quoted(element.name);
+            throw InputError({file, element.line}, "the file ends too early for " +
+                                                       std::to_string(element.count) + " " + what);
+        }
+        bytes -= element.count * least;
+    }
 }
 
 }  // namespace rt

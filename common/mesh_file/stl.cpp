@@ -1,9 +1,9 @@
+#include "common/mesh_file/mesh_builder.hpp"
 #include "common/mesh_file/mesh_formats.hpp"
 #include "common/mesh_file/mesh_lines.hpp"
-#include "common/mesh_file/welder.hpp"
 #include "common/system/escaping.hpp"
 #include "common/system/input_file.hpp"
-#include "common/system/lower_case.hpp"
+#include "common/system/text.hpp"
 
 #include <array>
 #include <bit>

@@ -1,7 +1,6 @@
 #include "common/program/make_picture.hpp"
 
 #include "common/explain/pixel_log.hpp"
-#include "common/program/picture_texts.hpp"
 #include "common/program/used_options.hpp"
 #include "common/render/pixel_samples.hpp"
 #include "common/render/render.hpp"

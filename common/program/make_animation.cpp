@@ -1,13 +1,12 @@
 #include "common/program/make_picture.hpp"
 
 #include "common/image/animation.hpp"
-#include "common/program/picture_texts.hpp"
 #include "common/program/turntable.hpp"
 #include "common/program/used_options.hpp"
 #include "common/render/render.hpp"
-#include "common/system/formatted.hpp"
-#include "common/system/readable.hpp"
+#include "common/system/escaping.hpp"
 #include "common/system/terminal.hpp"
+#include "common/system/text.hpp"
 #include "common/system/translation.hpp"
 
 #include <chrono>

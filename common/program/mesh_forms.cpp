@@ -1,10 +1,10 @@
 #include "common/geometry/bounding_box.hpp"
 #include "common/mesh_file/half_edges.hpp"
 #include "common/mesh_file/load_mesh.hpp"
-#include "common/mesh_file/welder.hpp"
+#include "common/mesh_file/mesh_builder.hpp"
 #include "common/program/load_meshes.hpp"
-#include "common/system/formatted.hpp"
-#include "common/system/readable.hpp"
+#include "common/system/escaping.hpp"
+#include "common/system/text.hpp"
 #include "common/system/translation.hpp"
 
 #include <algorithm>

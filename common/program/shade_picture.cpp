@@ -1,7 +1,7 @@
 #include "common/program/shade_picture.hpp"
 
 #include "common/image/color_scale.hpp"
-#include "common/system/formatted.hpp"
+#include "common/system/text.hpp"
 #include "common/tuning/wording.hpp"
 
 #include <algorithm>

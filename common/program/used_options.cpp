@@ -2,8 +2,10 @@
 
 #include "common/program/shade_options.hpp"
 #include "common/stages/stages.hpp"
+#include "common/system/version.hpp"
 
 #include <charconv>
+#include <filesystem>
 
 namespace rt {
 
@@ -56,6 +58,22 @@ std::string used_options(const Program& program, const Options& options) {
 std::string equivalent_options(const Program& program, const Options& options) {
     return std::string("--precision ") + name(options.precision) + " " +
            used_options(program, options);
+}
+
+std::string size_text(Resolution size) {
+    return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
+
+std::vector<PngText> picture_texts(const Program& program, const Options& options,
+                                   Resolution size) {
+    const bool is_float = options.precision == Precision::f32;
+    const std::string used =
+        is_float ? equivalent_options(program, options) : used_options(program, options);
+    return {{"Title", std::filesystem::path(options.scene).filename().string()},
+            {"Software", "Raysteps " + version_number() + " " + name_of(program.stage)},
+            {"Size", size_text(size)},
+            {"Precision", name(options.precision)},
+            {"Options", used}};
 }
 
 }  // namespace rt

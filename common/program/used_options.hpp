@@ -1,9 +1,11 @@
 // The command line options that reproduce a picture.
 #pragma once
 
+#include "common/image/png.hpp"
 #include "common/program/options.hpp"
 
 #include <string>
+#include <vector>
 
 namespace rt {
 
@@ -17,5 +19,14 @@ namespace rt {
 
 /// The option's value for a precision: "double".
 [[nodiscard]] const char* name(Precision precision);
+
+// The texts that a picture's file contains beside the pixels.
+
+/// "640 x 480"
+[[nodiscard]] std::string size_text(Resolution size);
+
+/// Returns everything that determined the picture. The number of threads does not affect it.
+[[nodiscard]] std::vector<PngText> picture_texts(const Program& program, const Options& options,
+                                                 Resolution size);
 
 }  // namespace rt

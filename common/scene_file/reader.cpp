@@ -3,7 +3,7 @@
 #include "common/scene_file/elements.hpp"
 #include "common/system/escaping.hpp"
 #include "common/system/input_file.hpp"
-#include "common/system/lower_case.hpp"
+#include "common/system/text.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-// Reasons for a missing answer that the suites print and the grader searches for.
+// Parts of messages that one program prints and another searches for.
 #pragma once
 
 namespace rt {
@@ -14,5 +14,8 @@ inline constexpr const char* not_reached = "was not reached: the cases before it
 
 /// The worker tried a system call that its sandbox does not allow.
 inline constexpr const char* forbidden_operation = "tried a forbidden operation";
+
+/// The end of the message about a function that is not written yet.
+inline constexpr const char* not_written = " is not written yet";
 
 }  // namespace rt

@@ -1,7 +1,5 @@
 #include "common/stages/stages.hpp"
 
-#include "common/stages/stage_list.hpp"
-
 #include <algorithm>
 #include <charconv>
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -49,5 +50,11 @@ inline constexpr int mesh_stage = 13;
 /// The number of the stage that "5", "05", "step05", "triangle" or "step05_triangle" names; nothing
 /// for other text.
 [[nodiscard]] std::optional<int> find_stage(std::string_view text);
+
+// Lists of stages, as options name them.
+
+/// The stages that "1-5,9,mirror" names, each as find_stage reads it; nothing for other text, or
+/// for a range that is not in order.
+[[nodiscard]] std::optional<std::set<int>> find_stages(std::string_view text);
 
 }  // namespace rt

@@ -1,6 +1,6 @@
 #include "common/stages/todo.hpp"
 
-#include "common/stages/not_written.hpp"
+#include "common/stages/reasons.hpp"
 
 #include <atomic>
 #include <cstdio>

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 
 namespace rt {
 
@@ -32,5 +33,12 @@ private:
     Time left_;
     Clock::time_point looked_ = Clock::now();
 };
+
+// The clock of trials and measurements.
+
+/// The processor time of this program so far, of all its threads together.
+[[nodiscard]] inline double cpu_seconds() {
+    return double(std::clock()) / CLOCKS_PER_SEC;
+}
 
 }  // namespace rt

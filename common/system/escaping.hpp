@@ -17,4 +17,14 @@ namespace rt {
 /// The word as a shell takes it, in single quotes if it needs any.
 [[nodiscard]] std::string shell_word(const std::string& word);
 
+// Text of unknown bytes that people read: in a page, in a table, on a terminal.
+
+/// The text as valid UTF-8, with tab and line feed as its only control characters. Any other byte
+/// becomes "�", and so do characters that change the direction of writing, since they can disguise
+/// "1 of 9" as another mark.
+[[nodiscard]] std::string readable(std::string_view text);
+
+/// The same as one line for a terminal: each control character of ASCII becomes "?".
+[[nodiscard]] std::string one_line(std::string text);
+
 }  // namespace rt

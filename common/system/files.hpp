@@ -1,7 +1,7 @@
 // Files that are written whole or not at all.
 #pragma once
 
-#include "common/system/lines.hpp"
+#include "common/system/text.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,6 +1,6 @@
 #include "common/system/input_error.hpp"
 
-#include "common/system/readable.hpp"
+#include "common/system/escaping.hpp"
 
 namespace rt {
 

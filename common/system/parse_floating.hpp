@@ -2,6 +2,7 @@
 // macOS therefore not.
 #pragma once
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <concepts>
@@ -55,5 +56,10 @@ std::optional<Number> whole_floating(std::string_view text) {
     if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
     return value;
 }
+
+// Options that are a pair of numbers: a size, a pixel, a part of a class.
+
+/// Parses two integers with `separator` between them and nothing around them.
+[[nodiscard]] std::optional<std::array<int, 2>> two_numbers(std::string_view text, char separator);
 
 }  // namespace rt

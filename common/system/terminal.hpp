@@ -1,8 +1,6 @@
 // Output to the terminal, and its properties.
 #pragma once
 
-#include "common/system/status_line.hpp"
-
 #include <chrono>
 #include <mutex>
 #include <optional>
@@ -33,6 +31,31 @@ void finish_output();
 /// ", 3 s left" after this many seconds for `done` of `total` equal parts; empty while this is a
 /// guess: in the first 5 seconds, and before a twentieth is done.
 [[nodiscard]] std::string time_left(double seconds, int done, int total);
+
+/// A line on the standard error stream. On a terminal it is rewritten in place, and erased at the
+/// end. Elsewhere, as in a pipe, on a "dumb" terminal, or in the log of a server, the line at the
+/// time is printed after 5 seconds and then every 15 seconds. The script `course` does the same
+/// before this is compiled.
+class StatusLine {
+public:
+    explicit StatusLine(const std::string& text);
+    ~StatusLine();
+    StatusLine(const StatusLine&) = delete;
+    StatusLine& operator=(const StatusLine&) = delete;
+
+    /// Replaces the text.
+    void show(const std::string& text);
+
+    /// Shows the text again: call it at least every few seconds, also when nothing is new.
+    void show_again() { show(text_); }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    bool in_place_;
+    std::string text_;
+    Clock::time_point due_ = Clock::now() + std::chrono::seconds(5);  ///< the next, if not in place
+};
 
 /// A status line "  45 %, 3 s left". Any thread may report progress.
 class Progress {

@@ -1,6 +1,6 @@
 #include "common/system/translation.hpp"
 
-#include "common/system/lines.hpp"
+#include "common/system/text.hpp"
 
 #include <algorithm>
 #include <cctype>

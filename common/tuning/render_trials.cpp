@@ -1,7 +1,7 @@
 #include "common/tuning/render_trials.hpp"
 
 #include "common/render/pixel_samples.hpp"
-#include "common/system/cpu_seconds.hpp"
+#include "common/system/countdown.hpp"
 #include "common/system/parallel_for.hpp"
 #include "common/tuning/contrast.hpp"
 #include "common/tuning/pixel_errors.hpp"

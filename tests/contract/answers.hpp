@@ -2,7 +2,6 @@
 #pragma once
 
 #include "common/contract/call.hpp"
-#include "common/contract/files.hpp"
 #include "common/contract/probes.hpp"
 #include "common/course/authoring/known_mistakes.hpp"
 #include "common/system/process.hpp"

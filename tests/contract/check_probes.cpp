@@ -7,7 +7,7 @@
 // mistake. SUITE is the suite, linked to the known mistakes. Its cases, one a line, are those of
 // probes.txt. Prints the recognized mistakes.
 #include "common/contract/difference_texts.hpp"
-#include "common/contract/files.hpp"
+#include "common/contract/probes.hpp"
 #include "common/contract/recognition.hpp"
 #include "common/contract/smallest.hpp"
 

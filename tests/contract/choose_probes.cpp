@@ -5,8 +5,6 @@
 // reference and from the others, and the cases that fail. REFERENCE and ANSWERS are workers; SUITE
 // is the suite, linked to the known mistakes.
 #include "common/contract/contracts.hpp"
-#include "common/contract/files.hpp"
-#include "common/contract/open_answers.hpp"
 #include "common/contract/probes.hpp"
 #include "common/stages/stages.hpp"
 

@@ -1,9 +1,9 @@
 // Values as bytes and as text, workers that get invalid queries, and the smallest failing call.
+#include "common/contract/call.hpp"
 #include "common/contract/contracts.hpp"
 #include "common/contract/difference_texts.hpp"
-#include "common/contract/failing_calls.hpp"
-#include "common/contract/files.hpp"
 #include "common/contract/frame.hpp"
+#include "common/contract/probes.hpp"
 #include "common/contract/recognition.hpp"
 #include "common/contract/smallest.hpp"
 

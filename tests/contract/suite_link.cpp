@@ -14,7 +14,7 @@
 #include "common/contract/rendered.hpp"
 
 #include "common/stages/reasons.hpp"
-#include "tests/contract/change_scene.hpp"
+#include "tests/contract/change.hpp"
 #include "tests/contract/stub.hpp"
 
 #include "tests/kit/catch.hpp"

@@ -58,7 +58,7 @@ class Site(http.server.BaseHTTPRequestHandler):
             status, kind, body = 200, types[file.suffix], file.read_bytes()
         elif name == "own_files":
             status, body = 200, str(self.worker).encode()
-        elif name.startswith("own_answer?"):  # as common/course/book/own_answers.cpp
+        elif name.startswith("own_answer?"):  # as common/course/book/book.cpp
             called = subprocess.run([build / "call_once", build / self.worker, name.split("question=")[1]],
                                     stdout=subprocess.PIPE, text=True)
             right = called.returncode == 0

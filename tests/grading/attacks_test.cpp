@@ -13,10 +13,10 @@
 // After a blank line, its source follows. In it, @ROOT@ is the project's folder and @RESULTS@ a
 // file of results, which an attacker may know, and @normal@ the source of that name in
 // attacks/parts.txt.
-#include "common/course/authoring/mistake_source.hpp"
+#include "common/course/authoring/known_mistakes.hpp"
 #include "common/course/build/suite_report.hpp"
-#include "common/course/grade/judging/load.hpp"
 #include "common/course/grade/judging/workshop.hpp"
+#include "common/course/grade/sandbox/seal.hpp"
 #include "common/stages/stages.hpp"
 #include "common/system/files.hpp"
 

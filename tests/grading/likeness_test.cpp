@@ -1,7 +1,6 @@
 // Files that are alike, and files that only answer the same question.
 #include "common/course/grade/results/likeness.hpp"
 #include "common/course/authoring/known_mistakes.hpp"
-#include "common/course/grade/results/copy_of_main.hpp"
 #include "common/course/grade/results/winnowing.hpp"
 #include "common/stages/stages.hpp"
 #include "common/system/files.hpp"

@@ -1,13 +1,13 @@
 // The reports on a class's marks, with numbers computed by hand.
 #include "common/course/grade/reports/reports.hpp"
 #include "common/course/grade/reports/html.hpp"
-#include "common/course/grade/results/copy_of_main.hpp"
 #include "common/course/grade/results/csv.hpp"
 #include "common/course/grade/results/submissions.hpp"
+#include "common/course/grade/results/winnowing.hpp"
 #include "common/stages/reasons.hpp"
 #include "common/stages/stages.hpp"
+#include "common/system/escaping.hpp"
 #include "common/system/files.hpp"
-#include "common/system/readable.hpp"
 #include "common/system/translation.hpp"
 
 #include "tests/grading/reports_class.hpp"

@@ -2,7 +2,7 @@
 #include "common/course/grade/reports/reports.hpp"
 #include "common/system/files.hpp"
 
-#include "tests/grading/term_class.hpp"
+#include "tests/grading/reports_class.hpp"
 #include "tests/kit/catch.hpp"
 
 namespace rt::grade {

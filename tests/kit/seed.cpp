@@ -2,7 +2,7 @@
 
 #include "tests/kit/catch.hpp"
 
-#include "common/system/keyed_hash.hpp"
+#include "common/system/hash.hpp"
 
 #include <charconv>
 #include <cstdlib>

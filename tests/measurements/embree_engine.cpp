@@ -1,5 +1,5 @@
 // Embree 3, one ray at a time, in its default mode.
-#include "tests/measurements/engines.hpp"
+#include "tests/measurements/workload.hpp"
 
 #ifdef RAYSTEPS_EMBREE
 

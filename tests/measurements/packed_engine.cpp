@@ -1,7 +1,7 @@
 // The Raysteps engine, in the precision of this compilation.
 #include "common/bvh/mesh_bvh.hpp"
 
-#include "tests/measurements/engines.hpp"
+#include "tests/measurements/workload.hpp"
 
 namespace measurements {
 

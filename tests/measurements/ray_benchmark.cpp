@@ -5,7 +5,7 @@
 // Every engine traces every kind of ray several times, in a random order of turns, so that other
 // load on the machine affects all alike. The table at the end contains medians, and ratios to
 // Embree.
-#include "tests/measurements/engines.hpp"
+#include "tests/measurements/workload.hpp"
 
 #include <benchmark/benchmark.h>
 

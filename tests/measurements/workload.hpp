@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -56,5 +57,14 @@ public:
 
 /// From inside, at every vertex and at two points of every edge: each must hit.
 [[nodiscard]] std::vector<RayQuery> rays_at_edges(const TriangleMesh& mesh);
+
+// The engines that are compared.
+
+/// Raysteps in both precisions.
+[[nodiscard]] std::unique_ptr<Engine> float_engine();
+[[nodiscard]] std::unique_ptr<Engine> double_engine();
+
+/// Embree 3, one ray at a time, with its defaults; null if CMake did not find it.
+[[nodiscard]] std::unique_ptr<Engine> embree_engine();
 
 }  // namespace measurements

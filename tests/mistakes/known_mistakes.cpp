@@ -4,7 +4,7 @@
 // Writes to the standard output. In the one source, each answer is in a namespace of its own, and
 // the functions of the stage call those of the answer that the environment variable RAYSTEPS_ANSWER
 // names. An answer calls these functions by their names, and so itself.
-#include "common/course/authoring/mistake_source.hpp"
+#include "common/course/authoring/known_mistakes.hpp"
 #include "common/system/input_error.hpp"
 
 #include <algorithm>

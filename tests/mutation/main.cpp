@@ -3,9 +3,7 @@
 // Changes a stage's reference in one place at a time and runs the stage's suite on it. A surviving
 // mutant shows an untested property, unless survivors.txt explains why it is equivalent. Exit
 // status 1 if an unlisted mutant survives, or a listed one does not.
-#include "tests/mutation/files.hpp"
 #include "tests/mutation/mutants.hpp"
-#include "tests/mutation/survivors.hpp"
 #include "tests/mutation/workshop.hpp"
 
 #include <CLI/CLI.hpp>

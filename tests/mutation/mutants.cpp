@@ -1,11 +1,15 @@
 #include "tests/mutation/mutants.hpp"
 
-#include "tests/mutation/exchanges.hpp"
-#include "tests/mutation/tokens.hpp"
+#include "tests/mutation/workshop.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <map>
 #include <set>
 #include <sstream>
+#include <stdexcept>
+#include <string>
 
 namespace mutation {
 
@@ -188,6 +192,193 @@ private:
 
 std::vector<Mutant> mutants_of(std::string_view source) {
     return Maker(source).made();
+}
+
+bool among(std::string_view text, const Words& words) {
+    return std::find(words.begin(), words.end(), text) != words.end();
+}
+
+const Words& instead_of_operator(std::string_view text) {
+    static const Words none;
+    static const std::map<std::string_view, Words> others = {{"+", {"-"}},
+                                                             {"-", {"+"}},
+                                                             {"*", {"/"}},
+                                                             {"/", {"*"}},
+                                                             {"%", {"*"}},
+                                                             {"&&", {"||"}},
+                                                             {"||", {"&&"}},
+                                                             {"==", {"!="}},
+                                                             {"!=", {"=="}},
+                                                             {"<", {"<=", ">", ">="}},
+                                                             {"<=", {"<", ">", ">="}},
+                                                             {">", {">=", "<", "<="}},
+                                                             {">=", {">", "<", "<="}}};
+    const auto found = others.find(text);
+    return found == others.end() ? none : found->second;
+}
+
+const Words& instead_of_name(std::string_view text) {
+    static const Words none;
+    static const std::map<std::string_view, Words> others = {
+        {"min", {"max"}},    {"max", {"min"}},    {"sin", {"cos"}},       {"cos", {"sin"}},
+        {"true", {"false"}}, {"false", {"true"}}, {"continue", {"break"}}};
+    const auto found = others.find(text);
+    return found == others.end() ? none : found->second;
+}
+
+std::vector<std::string> instead_of_number(std::string_view text) {
+    if (text == "0") return {"1"};
+    if (text == "1") return {"0", "2"};
+    if (text == "2" || text == "3") return {text == "2" ? "1" : "2", text == "2" ? "3" : "4"};
+    return {"(" + std::string(text) + " * 2)", "(" + std::string(text) + " / 2)"};
+}
+
+int binding(const Token& token) {
+    if (!token.binary) return 0;
+    if (among(token.text, {"*", "/", "%"})) return 6;
+    if (among(token.text, {"+", "-"})) return 5;
+    if (among(token.text, {"<", "<=", ">", ">="})) return 4;
+    if (among(token.text, {"==", "!="})) return 3;
+    if (token.text == "&&") return 2;
+    return token.text == "||" ? 1 : 0;
+}
+
+bool ends_operand(const Token& token) {
+    return among(token.text, {",", ";", "?", ":", "=", "+=", "-=", "*=", "/=", "return"});
+}
+
+bool opens(const Token& token) {
+    return among(token.text, {"(", "[", "{"});
+}
+
+bool closes(const Token& token) {
+    return among(token.text, {")", "]", "}"});
+}
+
+namespace {
+
+bool in_word(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+bool in_number(char c) {
+    return in_word(c) || c == '.' || c == '\'';
+}
+
+bool is_space(char c) {
+    return std::isspace(static_cast<unsigned char>(c)) != 0;
+}
+
+/// The length of a non-code prefix: a space, a comment, a preprocessor line.
+std::size_t skipped(std::string_view rest) {
+    if (is_space(rest[0])) return 1;
+    if (rest[0] == '#' || rest.starts_with("//")) return std::min(rest.find('\n'), rest.size());
+    if (rest.starts_with("/*")) return rest.find("*/") + 2;
+    return 0;
+}
+
+std::size_t quoted(std::string_view rest) {
+    std::size_t end = 1;
+    while (rest[end] != rest[0]) end += rest[end] == '\\' ? 2 : 1;
+    return end + 1;
+}
+
+std::size_t length_of_token(std::string_view rest) {
+    if (rest[0] == '"' || rest[0] == '\'') return quoted(rest);
+    if (in_word(rest[0])) {
+        const auto part = std::isdigit(static_cast<unsigned char>(rest[0])) ? in_number : in_word;
+        return std::size_t(std::find_if_not(rest.begin(), rest.end(), part) - rest.begin());
+    }
+    constexpr std::array<std::string_view, 14> two = {"::", "->", "<=", ">=", "==", "!=", "&&",
+                                                      "||", "++", "--", "+=", "-=", "*=", "/="};
+    const auto starts = [rest](std::string_view symbol) { return rest.starts_with(symbol); };
+    return std::any_of(two.begin(), two.end(), starts) ? 2 : 1;
+}
+
+void pair_brackets(std::vector<Token>& tokens) {
+    std::vector<int> open;
+    for (int i = 0; i < int(tokens.size()); ++i) {
+        const std::string_view text = tokens[i].text;
+        if (text == "(" || text == "[" || text == "{") open.push_back(i);
+        if (text != ")" && text != "]" && text != "}") continue;
+        tokens[i].partner = open.back();
+        tokens[open.back()].partner = i;
+        open.pop_back();
+    }
+}
+
+}  // namespace
+
+std::vector<Token> tokens_of(std::string_view source) {
+    std::vector<Token> tokens;
+    for (std::size_t at = 0; at < source.size();) {
+        const std::string_view rest = source.substr(at);
+        if (const std::size_t none = skipped(rest); none > 0) {
+            at += none;
+            continue;
+        }
+        const std::size_t length = length_of_token(rest);
+        const bool apart = is_space(source[at - 1]) && is_space(source[at + length]);
+        tokens.push_back({.text = rest.substr(0, length), .binary = apart});
+        at += length;
+    }
+    pair_brackets(tokens);
+    return tokens;
+}
+
+bool is_name(const Token& token) {
+    return in_word(token.text[0]) && !is_number(token);
+}
+
+bool is_number(const Token& token) {
+    return std::isdigit(static_cast<unsigned char>(token.text[0])) != 0;
+}
+
+namespace {
+
+/// The texts before and after the first occurrence of a mark.
+std::pair<std::string, std::string> parted(const std::string& line, const std::string& mark) {
+    const std::size_t at = line.find(mark);
+    if (at == std::string::npos) return {line, ""};
+    return {line.substr(0, at), line.substr(at + mark.size())};
+}
+
+}  // namespace
+
+std::vector<Survivor> read_survivors(const std::filesystem::path& file) {
+    std::istringstream lines(content_of(file));
+    std::vector<Survivor> survivors;
+    Survivor next;
+    std::size_t without_reason = 0;  // the first one
+    for (std::string line; std::getline(lines, line);) {
+        if (line.empty() || line.starts_with("#")) continue;
+        if (line.starts_with("- ")) {
+            next.before = line.substr(2);
+        } else if (line.starts_with("+ ")) {
+            next.after = line.substr(2);
+            survivors.push_back(next);
+        } else if (line.starts_with("step")) {
+            std::tie(next.stage, next.function) = parted(line, " ");
+        } else if (line.starts_with("equivalent: ") || line.starts_with("accuracy: ")) {
+            for (; without_reason < survivors.size(); ++without_reason)
+                std::tie(survivors[without_reason].kind, survivors[without_reason].reason) =
+                    parted(line, ": ");
+        } else {
+            throw std::runtime_error(file.string() + ": what is this? " + line);
+        }
+    }
+    if (without_reason < survivors.size())
+        throw std::runtime_error(file.string() + ": no reason for " + next.after);
+    return survivors;
+}
+
+const Survivor* find(const std::vector<Survivor>& survivors, const std::string& stage,
+                     const Mutant& mutant) {
+    const auto found = std::find_if(survivors.begin(), survivors.end(), [&](const Survivor& one) {
+        return one.stage == stage && one.function == mutant.function &&
+               one.before == mutant.before && one.after == mutant.after;
+    });
+    return found == survivors.end() ? nullptr : &*found;
 }
 
 }  // namespace mutation

@@ -1,7 +1,5 @@
 #include "tests/mutation/workshop.hpp"
 
-#include "tests/mutation/files.hpp"
-
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>

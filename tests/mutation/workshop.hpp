@@ -2,6 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -56,5 +59,20 @@ private:
     std::vector<std::string> cases_;
     int seconds_ = 60;  ///< processor time limit of a suite
 };
+
+// Whole files, read and written.
+
+/// Throws std::runtime_error if it cannot be read.
+[[nodiscard]] inline std::string content_of(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) throw std::runtime_error("cannot read " + file.string());
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Throws std::runtime_error if it cannot be written.
+inline void write(const std::filesystem::path& file, const std::string& content) {
+    std::ofstream stream(file, std::ios::binary);
+    if (!(stream << content).flush()) throw std::runtime_error("cannot write " + file.string());
+}
 
 }  // namespace mutation

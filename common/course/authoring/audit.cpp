@@ -9,7 +9,7 @@
 
 #include "common/image/png.hpp"
 #include "common/stages/graded_file.hpp"
-#include "common/stages/not_written.hpp"
+#include "common/stages/reasons.hpp"
 #include "common/system/files.hpp"
 #include "common/system/paint.hpp"
 #include "common/system/process.hpp"

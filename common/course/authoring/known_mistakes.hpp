@@ -62,4 +62,15 @@ struct RightAnswer {
 [[nodiscard]] std::vector<KnownMistake> read_known_mistakes(const std::filesystem::path& project,
                                                             const std::string& suite);
 
+// The sources of known mistakes and of other right answers.
+
+/// The whole source of a mistake of this suite. Throws InputError if lines are not found, or twice.
+[[nodiscard]] std::string source_of(const std::filesystem::path& project, const std::string& suite,
+                                    const KnownMistake& mistake);
+
+/// The text of a right answer, in which the sources that it includes stand in place, with the names
+/// that its macros give them.
+[[nodiscard]] std::string without_included_sources(const std::filesystem::path& project,
+                                                   const std::string& text);
+
 }  // namespace rt

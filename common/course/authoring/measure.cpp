@@ -5,7 +5,7 @@
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
-#include "common/system/status_line.hpp"
+#include "common/system/terminal.hpp"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,6 @@
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
-#include "common/system/status_line.hpp"
 #include "common/system/terminal.hpp"
 #include "common/system/translation.hpp"
 

@@ -14,8 +14,8 @@
 #include "common/course/exercise/warnings.hpp"
 #include "common/course/exercise/workbook.hpp"
 #include "common/system/input_error.hpp"
-#include "common/system/lines.hpp"
-#include "common/system/status_line.hpp"
+#include "common/system/terminal.hpp"
+#include "common/system/text.hpp"
 #include "common/system/translation.hpp"
 #include "common/system/wrap.hpp"
 

@@ -5,7 +5,7 @@
 #include "common/course/exercise/telling_case.hpp"
 #include "common/system/files.hpp"
 #include "common/system/process.hpp"
-#include "common/system/status_line.hpp"
+#include "common/system/terminal.hpp"
 #include "common/system/translation.hpp"
 
 #include <chrono>

@@ -3,10 +3,10 @@
 #include "common/course/build/build.hpp"
 #include "common/course/build/static_data.hpp"
 #include "common/course/exercise/failing_question.hpp"
-#include "common/course/exercise/log_text.hpp"
+#include "common/course/exercise/log_diff.hpp"
 #include "common/course/exercise/suite.hpp"
 #include "common/system/files.hpp"
-#include "common/system/status_line.hpp"
+#include "common/system/terminal.hpp"
 #include "common/system/translation.hpp"
 #include "common/system/wrap.hpp"
 

@@ -1,14 +1,30 @@
-// The results of a stage's suites, in each precision.
+// The results of a stage's suites, in each precision, and of their cases, in the parts in which a
+// student writes the stage.
 #pragma once
 
-#include "common/course/exercise/cases.hpp"
+#include "common/course/build/suite_report.hpp"
 #include "common/course/exercise/suite.hpp"
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace rt {
+
+/// A case in both precisions.
+struct Outcome {
+    CaseResult in_double;
+    CaseResult in_float;
+
+    [[nodiscard]] bool passed() const { return in_double.passed && in_float.passed; }
+    [[nodiscard]] const std::string& part() const {
+        return in_double.part.empty() ? in_float.part : in_double.part;
+    }
+};
+
+/// Prints every case below the line of its part. The cases in `given` pass unwritten.
+void show_cases(const std::vector<Outcome>& all, const std::set<std::string>& given);
 
 /// The result of a suite, and of the suite of `trace` after it, in one precision.
 struct Judged {

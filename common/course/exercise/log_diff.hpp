@@ -46,4 +46,11 @@ enum class Writer { queries, own_loop };
 /// True for the first line of a section.
 [[nodiscard]] bool is_heading(const LogRow& row);
 
+// The comparison of two explanations as text for the terminal.
+
+/// The first difference, and its section; then the other sections in which something differs.
+/// Common lines are there once, different lines beneath one another. With a command that prints
+/// all, it is at most 24 lines of the terminal, and ends with that command if lines are left out.
+[[nodiscard]] std::string text(const LogDiff& diff, const std::string& all = "");
+
 }  // namespace rt

@@ -4,7 +4,7 @@
 #include "common/course/build/manifest.hpp"
 #include "common/course/build/project.hpp"
 #include "common/course/exercise/earlier_stages.hpp"
-#include "common/stages/not_written.hpp"
+#include "common/stages/reasons.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/translation.hpp"
 

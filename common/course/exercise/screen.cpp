@@ -4,7 +4,7 @@
 #include "common/course/exercise/failing_question.hpp"
 #include "common/course/exercise/failure_text.hpp"
 #include "common/course/exercise/hints.hpp"
-#include "common/stages/not_written.hpp"
+#include "common/stages/reasons.hpp"
 #include "common/system/files.hpp"
 #include "common/system/paint.hpp"
 #include "common/system/terminal.hpp"

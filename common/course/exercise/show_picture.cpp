@@ -6,9 +6,9 @@
 #include "common/image/png.hpp"
 #include "common/stages/stages.hpp"
 #include "common/system/files.hpp"
-#include "common/system/formatted.hpp"
 #include "common/system/process.hpp"
-#include "common/system/status_line.hpp"
+#include "common/system/terminal.hpp"
+#include "common/system/text.hpp"
 #include "common/system/translation.hpp"
 #include "common/system/wrap.hpp"
 

@@ -6,7 +6,7 @@
 #include "common/system/escaping.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
-#include "common/system/status_line.hpp"
+#include "common/system/terminal.hpp"
 #include "common/system/translation.hpp"
 
 namespace rt {

@@ -3,14 +3,14 @@
 #include "common/course/grade/grade.hpp"
 #include "common/course/grade/reports/reports.hpp"
 
-#include "common/stages/stage_list.hpp"
+#include "common/stages/stages.hpp"
+#include "common/system/escaping.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/parse_floating.hpp"
 #include "common/system/process.hpp"
-#include "common/system/readable.hpp"
 #include "common/system/terminal.hpp"
 #include "common/system/translated_help.hpp"
 #include "common/system/translation.hpp"
-#include "common/system/two_numbers.hpp"
 #include "common/system/wrap.hpp"
 
 #include <CLI/CLI.hpp>
@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using rt::grade::Order;
 
-/// "1-5" and "triangle", each stages.
+/// The stages of "1-5,mirror", if the option is given more than once all of them.
 std::set<int> parse_stages(const std::vector<std::string>& words) {
     std::set<int> stages;
     for (const std::string& word : words) {
@@ -79,7 +79,7 @@ std::optional<Command> parse(int count, char** words) {
                    "folder of the results; an interrupted run is continued");
     app.add_option("--seed-file", order.seed_file,
                    "file with 16 hexadecimal digits: the seed of the inputs; else it is random");
-    app.add_option("--stages", command.stages, "1-5,mirror: only these stages")->delimiter(',');
+    app.add_option("--stages", command.stages, "1-5,mirror: only these stages");
     app.add_option("--jobs", order.jobs, "number of submissions graded at a time")
         ->check(CLI::Range(1, 256));
     app.add_option("--part", command.part,

@@ -2,14 +2,18 @@
 
 #include "common/course/build/project.hpp"
 #include "common/course/exercise/hints.hpp"
-#include "common/stages/stage_list.hpp"
+#include "common/stages/stages.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
 #include "common/system/translation.hpp"
 
+#include <algorithm>
+#include <array>
+#include <filesystem>
 #include <regex>
 #include <sstream>
+#include <string_view>
 
 namespace rt {
 
@@ -91,6 +95,90 @@ std::string selected_entries(const std::string& catalogue, const std::string& pa
             selected += (selected.empty() ? "" : "\n") + entry;
     }
     return selected;
+}
+
+namespace {
+
+/// Not exact, which has the stages' formulas in certified arithmetic; no student grades.
+constexpr auto rooms = std::to_array<std::string_view>({
+    "common",
+    "common/bvh",
+    "common/cmake",
+    "common/contract",
+    "common/course",
+    "common/course/authoring",
+    "common/course/book",
+    "common/course/build",
+    "common/course/exercise",
+    "common/course/handout",
+    "common/course/own",
+    "common/course/view",
+    "common/explain",
+    "common/geometry",
+    "common/image",
+    "common/math",
+    "common/mesh_file",
+    "common/program",
+    "common/render",
+    "common/scene",
+    "common/scene_file",
+    "common/stages",
+    "common/system",
+    "common/tuning",
+});
+
+/// The parts of `explain` that have a document's formulas, as steps/…/story.cpp.
+constexpr std::string_view solved = "common/explain/pixel_log_parts.cpp";
+
+/// The files of the other folders. Left out are tests/mistakes and tests/alternatives, which
+/// include references; tests/mutation, which quotes them; tests/oracle, tests/stability,
+/// steps/…/exact and story.cpp, which contain their formulas; and tests/contract, by which the
+/// grader's suites query a submission.
+const std::regex of_other_folders(  //
+    R"((README(\.\w\w)?\.md|LICENSE|course|CMakeLists\.txt|CMakePresets\.json|\.clang-format|\.gitignore)"
+    R"(|\.gitattributes|\.devcontainer/devcontainer\.json|\.vscode/(launch|tasks)\.json)"
+    R"(|docs/.*\.(md|svg|png|js))"
+    R"(|lang/(?!\w+/grading\.po).*\.(po|py|txt))"
+    R"(|scenes/.*\.(rt|obj|off|ply|stl))"
+    R"(|steps/[^/]*|steps/step\w*/((?!story\.)[^/]*|starter/.*))"
+    R"(|tests/(CMakeLists\.txt|suites/.*|kit/.*|programs/pictures/[^/]*\.png))"
+    R"(|tests/mistakes/\w*/(probes|trace)\.txt))");
+
+}  // namespace
+
+bool is_for_students(const std::string& path) {
+    if (path.find("/.") != std::string::npos) return false;
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    if (std::find(rooms.begin(), rooms.end(), folder) != rooms.end()) return path != solved;
+    return std::regex_match(path, of_other_folders);
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// True for the path of a missing file, with a folder. Anything else may be code: `[&](int i)`.
+bool leads_nowhere(const std::string& address, const fs::path& folder) {
+    const std::string file = address.substr(0, address.find('#'));
+    return file.find('/') != std::string::npos && file.find("://") == std::string::npos &&
+           file.find_first_of(" ,;\n") == std::string::npos && !fs::exists(folder / file);
+}
+
+}  // namespace
+
+std::string with_live_links(const std::string& page, const fs::path& folder) {
+    std::string text;
+    std::size_t done = 0;
+    for (std::size_t middle = page.find("]("); middle != std::string::npos;
+         middle = page.find("](", middle + 2)) {
+        const std::size_t start = page.substr(0, middle).find_last_of("[]");
+        const std::size_t end = page.find(')', middle);
+        if (start == std::string::npos || page[start] != '[' || end == std::string::npos) continue;
+        if (!leads_nowhere(page.substr(middle + 2, end - middle - 2), folder)) continue;
+        text += page.substr(done, start - done) + page.substr(start + 1, middle - start - 1);
+        done = end + 1;
+    }
+    return text + page.substr(done);
 }
 
 }  // namespace rt

@@ -1,6 +1,7 @@
-// What a lecturer leaves out of a hand-out.
+// What a hand-out contains: which files, and what a lecturer leaves out of them.
 #pragma once
 
+#include <filesystem>
 #include <set>
 #include <string>
 
@@ -30,5 +31,14 @@ void select_language(Selection& selection, const std::string& language);
 
 /// The entries of a translation's catalogue whose English text is in the page, and its header.
 [[nodiscard]] std::string selected_entries(const std::string& catalogue, const std::string& page);
+
+/// True if students get the file at this path of the project. Whatever is not named in the list of
+/// rooms and folders stays out.
+[[nodiscard]] bool is_for_students(const std::string& path);
+
+/// The page with the text alone in place of each Markdown link to a file that does not exist, as
+/// seen from the page's folder. Links to other hosts and into the page itself stay.
+[[nodiscard]] std::string with_live_links(const std::string& page,
+                                          const std::filesystem::path& folder);
 
 }  // namespace rt

@@ -1,8 +1,11 @@
 // `./course own --check`: the pictures of the student's own ray tracer beside the reference's.
 #pragma once
 
+#include "common/image/image.hpp"
+
 #include <chrono>
 #include <filesystem>
+#include <string>
 
 namespace rt {
 
@@ -24,5 +27,11 @@ struct OwnCheck {
 /// or PNG, with the reference's, and prints one line for each scene: how many pixels differ, or why
 /// there is no picture. Returns 0 if all pictures agree, else 1.
 [[nodiscard]] int check_own(const OwnCheck& check);
+
+// Reading of PPM files, the simplest pictures.
+
+/// The picture of a PPM file, P6 (bytes) or P3 (decimal numbers), with 255 levels of a color.
+/// Throws InputError, located at the file, if it is none, or if its size is not the expected one.
+[[nodiscard]] Image read_ppm(const std::string& file, Resolution expected);
 
 }  // namespace rt

@@ -2,7 +2,6 @@
 
 #include "common/course/exercise/log_diff.hpp"
 #include "common/course/view/host.hpp"
-#include "common/course/view/render_queue.hpp"
 #include "common/course/view/stage_runner.hpp"
 #include "common/course/view/watcher.hpp"
 

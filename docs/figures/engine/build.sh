@@ -66,7 +66,6 @@ sources picture docs/figures/engine/picture.cpp docs/figures/engine/traces.cpp \
     common/image/image.cpp common/program/load_meshes.cpp common/program/requirements.cpp \
     common/program/turntable.cpp common/stages/stages.cpp common/system/escaping.cpp \
     common/system/huge_pages.cpp common/system/input_error.cpp \
-    common/system/readable.cpp \
     steps/step02*/pixel_rays.cpp steps/step11*/lighting.cpp steps/step12*/reflection.cpp \
     steps/step13*/mesh_instance.cpp steps/*/queries.cpp steps/*/reference/*.cpp
 

@@ -1,6 +1,5 @@
 // Stage 1: the pixels on the screen.
 #include "docs/figures/source/figures.hpp"
-#include "docs/figures/source/screen.hpp"
 #include "docs/figures/source/sketch.hpp"
 
 namespace rt::figures {

@@ -1,6 +1,5 @@
 // Stage 2: the camera's basis in space.
 #include "docs/figures/source/figures.hpp"
-#include "docs/figures/source/screen.hpp"
 #include "docs/figures/source/sketch.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"

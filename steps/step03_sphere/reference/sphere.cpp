@@ -9,8 +9,8 @@
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval interval) {
-    // In PHY's A t² + B t + C, B² − 4AC loses half its digits for a distant sphere. The half chord,
-    // computed from the point of the line that is closest to the center, does not.
+    // PHY's discriminant, B² − 4AC of A t² + B t + C, loses half its digits for a distant sphere.
+    // The half chord, computed from the point of the line that is closest to the center, does not.
     const Vec3 from_center = ray.origin - sphere.center;
     const Real along = dot(from_center, ray.direction);
     const Real rr = sphere.radius * sphere.radius;

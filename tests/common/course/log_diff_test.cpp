@@ -1,5 +1,5 @@
 // The comparison of two explanations of a pixel, as `explain` and `view` show it.
-#include "common/course/exercise/log_text.hpp"
+#include "common/course/exercise/log_diff.hpp"
 
 #include "tests/kit/catch.hpp"
 

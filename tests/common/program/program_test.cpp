@@ -1,7 +1,6 @@
 // Tests of common/: stages, requirements, the field of view, transforms, the closest hit.
 
 #include "common/geometry/transform.hpp"
-#include "common/program/advice.hpp"
 #include "common/program/requirements.hpp"
 #include "common/program/turntable.hpp"
 #include "common/render/closest_hit.hpp"

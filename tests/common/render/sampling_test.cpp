@@ -3,7 +3,9 @@
 
 #include "common/system/hash.hpp"
 
+#include "tests/kit/catch.hpp"
 #include "tests/kit/for_all.hpp"
+#include "tests/suites/step11_soft_shadows/share_of_light.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,10 +16,6 @@
 using namespace rt;
 
 namespace {
-
-std::uint32_t draw_seed(Random& random) {
-    return std::uint32_t(random.choice() * 4294967295.0);
-}
 
 std::string call(std::uint32_t index, std::uint32_t seed) {
     return "spread_sample(" + std::to_string(index) + ", " + std::to_string(seed) + ")";
@@ -231,4 +229,20 @@ TEST_CASE("samples: both precisions have the same points, those of Burley 2020")
         INFO(call(index, seed));
         CHECK(whole(spread_sample(index, seed)) == point);
     }
+}
+
+// The share of a light beside a plane, with which stage 11's suite computes what it expects.
+
+TEST_CASE("the share of a cone beside a plane is integrated to 1e-6") {
+    // The piece of a cap that a great circle cuts off, by Girard's theorem.
+    for (const double half_angle : {0.01, 0.5, 1.0, 1.5})
+        for (const double part : {0.0, 0.1, 0.5, 0.9, 0.999}) {
+            const double offset = part * half_angle;
+            const double piece =
+                2 * std::acos(std::sin(offset) / std::sin(half_angle)) -
+                2 * std::cos(half_angle) * std::acos(std::tan(offset) / std::tan(half_angle));
+            const double share = piece / (2 * exact_pi * (1 - std::cos(half_angle)));
+            CHECK(std::abs(share_beside_plane(-offset, half_angle) - share) < 1e-6);
+            CHECK(std::abs(share_beside_plane(offset, half_angle) - (1 - share)) < 1e-6);
+        }
 }

@@ -2,7 +2,6 @@
 // that it leaves, and how often it misses an object before it, 1e-5 to 1e-1 of the scene away.
 // tests/common/render/contact_test.cpp requires 0 for the reference, with closer objects.
 #include "tests/measurements/accuracy/forms.hpp"
-#include "tests/measurements/accuracy/precision.hpp"
 #include "tests/stability/sweeps.hpp"
 
 #include "common/geometry/projection.hpp"

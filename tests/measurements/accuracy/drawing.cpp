@@ -3,7 +3,7 @@
 #include "common/program/load_meshes.hpp"
 #include "common/render/render.hpp"
 #include "common/scene_file/reader.hpp"
-#include "common/system/cpu_seconds.hpp"
+#include "common/system/countdown.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 

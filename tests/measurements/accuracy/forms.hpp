@@ -8,13 +8,16 @@
 #include "common/geometry/sphere.hpp"
 #include "common/geometry/square.hpp"
 #include "common/geometry/triangle.hpp"
-#include "tests/measurements/accuracy/precision.hpp"
+#include "common/math/real.hpp"
 
 #include <optional>
 #include <vector>
 
 namespace rt {
 inline namespace RT_PRECISION {
+
+/// The name of a program's precision in its output.
+inline constexpr const char* precision_word = sizeof(Real) == 4 ? "float" : "double";
 
 /// A formula, and its name in plots and tables, without a comma.
 template <class Shape>

@@ -2,7 +2,7 @@
 // spheres, and in a BVH.
 #include "common/geometry/bounds.hpp"
 #include "common/scene/primitives.hpp"
-#include "common/system/cpu_seconds.hpp"
+#include "common/system/countdown.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"
 

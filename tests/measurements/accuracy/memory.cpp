@@ -5,7 +5,7 @@
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 
-#include "tests/measurements/accuracy/precision.hpp"
+#include "tests/measurements/accuracy/forms.hpp"
 
 #include <malloc.h>
 

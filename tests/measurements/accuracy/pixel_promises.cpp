@@ -10,7 +10,7 @@
 #include "common/program/renderer.hpp"
 #include "common/render/render.hpp"
 #include "common/scene_file/reader.hpp"
-#include "common/system/cpu_seconds.hpp"
+#include "common/system/countdown.hpp"
 #include "common/tuning/candidates.hpp"
 #include "common/tuning/pixel_errors.hpp"
 #include "common/tuning/render_trials.hpp"

@@ -1,6 +1,6 @@
 #include "tests/measurements/accuracy/time_ratio.hpp"
 
-#include "common/system/cpu_seconds.hpp"
+#include "common/system/countdown.hpp"
 
 #include <algorithm>
 #include <limits>

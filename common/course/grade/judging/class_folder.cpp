@@ -3,9 +3,9 @@
 #include "common/course/grade/judging/class_layout.hpp"
 #include "common/course/grade/sandbox/source_names.hpp"
 
+#include "common/system/escaping.hpp"
 #include "common/system/input_error.hpp"
-#include "common/system/lower_case.hpp"
-#include "common/system/readable.hpp"
+#include "common/system/text.hpp"
 
 #include <algorithm>
 #include <map>

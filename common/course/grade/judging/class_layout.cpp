@@ -6,7 +6,7 @@
 #include "common/stages/stages.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
-#include "common/system/lower_case.hpp"
+#include "common/system/text.hpp"
 
 #include <algorithm>
 #include <fstream>

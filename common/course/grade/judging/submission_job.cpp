@@ -1,7 +1,7 @@
 #include "common/course/grade/judging/submission_job.hpp"
 
-#include "common/course/grade/results/copy_of_main.hpp"
 #include "common/course/grade/results/sha256.hpp"
+#include "common/course/grade/results/winnowing.hpp"
 #include "common/stages/stages.hpp"
 
 namespace rt::grade {

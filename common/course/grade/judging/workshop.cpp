@@ -1,7 +1,6 @@
 #include "common/course/grade/judging/workshop.hpp"
 
 #include "common/course/exercise/may_include.hpp"
-#include "common/course/grade/judging/load.hpp"
 #include "common/course/grade/judging/repeatable.hpp"
 #include "common/course/grade/judging/symbols.hpp"
 #include "common/course/grade/sandbox/seal.hpp"

@@ -1,10 +1,9 @@
 #include "common/course/grade/reports/reports.hpp"
 
 #include "common/course/grade/reports/html.hpp"
-#include "common/course/grade/reports/html_table.hpp"
-#include "common/course/grade/results/copy_of_main.hpp"
 #include "common/course/grade/results/likeness.hpp"
 #include "common/course/grade/results/submissions.hpp"
+#include "common/course/grade/results/winnowing.hpp"
 #include "common/stages/reasons.hpp"
 #include "common/system/escaping.hpp"
 #include "common/system/files.hpp"

@@ -1,8 +1,8 @@
 #include "common/course/grade/reports/reports.hpp"
 
 #include "common/course/grade/results/submissions.hpp"
+#include "common/system/escaping.hpp"
 #include "common/system/files.hpp"
-#include "common/system/readable.hpp"
 
 #include <algorithm>
 

@@ -48,4 +48,15 @@ inline constexpr const char* end_of_line = "\r\n";
 /// The cell unchanged, for programs that do not evaluate formulas.
 [[nodiscard]] std::string plain_cell(const std::string& text, char separator = ',');
 
+// Text files that lecturers and spreadsheets write, in any of their encodings.
+
+struct AnyText {
+    std::string text;     ///< UTF-8 without a byte order mark; LF for CR in a text without LF
+    bool marked = false;  ///< the file has a byte order mark, or is not UTF-8
+};
+
+/// Reads UTF-8, UTF-16 with a byte order mark, or else Windows' code page 1252. Throws InputError
+/// if the file cannot be read.
+[[nodiscard]] AnyText read_any_text(const std::filesystem::path& file);
+
 }  // namespace rt::grade

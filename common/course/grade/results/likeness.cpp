@@ -1,6 +1,5 @@
 #include "common/course/grade/results/likeness.hpp"
 
-#include "common/course/grade/results/copy_of_main.hpp"
 #include "common/course/grade/results/submissions.hpp"
 #include "common/course/grade/results/winnowing.hpp"
 #include "common/system/files.hpp"

@@ -35,7 +35,7 @@ struct NearGroup {
 /// The groups that the pairs connect, in the order of their first pairs.
 [[nodiscard]] std::vector<NearGroup> groups(const std::vector<NearFiles>& near);
 
-/// A main.cpp that is like the project's own (copy_of_main.hpp).
+/// A main.cpp that is like the project's own (winnowing.hpp).
 struct LikeMain {
     std::string student;
     int stage = 1;

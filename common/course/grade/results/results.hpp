@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -115,5 +116,33 @@ void remove_shared_feedback(const std::filesystem::path& results);
 /// goes on, or has failed, or a file is damaged.
 [[nodiscard]] std::vector<std::string> missing_marks(const std::filesystem::path& results,
                                                      const std::vector<Mark>& marks);
+
+// The changes of marks by later runs, for the lecturer who answers for them.
+
+/// The date; from SOURCE_DATE_EPOCH (reproducible builds) if two runs must have equal bytes.
+[[nodiscard]] std::string today();
+
+/// Appends a line to results/changes.csv if the points differ: the date, the student, the stage,
+/// the points before and after, and the reason. Other runs may append at the same time. Throws
+/// InputError.
+void record_change(const std::filesystem::path& results, const Mark& before, const Mark& after);
+
+/// The number of bytes of that file; 0 without it.
+[[nodiscard]] std::uintmax_t size_of_changes(const std::filesystem::path& results);
+
+/// Its lines from that byte on.
+[[nodiscard]] std::vector<std::string> changes_since(const std::filesystem::path& results,
+                                                     std::uintmax_t size);
+
+// The classes that a folder of results is about: places, and the students who were there.
+
+/// True if an earlier run has graded the student at this place, or if no run has had a class.
+[[nodiscard]] bool is_graded_at(const std::filesystem::path& results,
+                                const std::filesystem::path& place, const std::string& student);
+
+/// Adds the students of a place to results/.classes. The place is a hash: results contain no names
+/// of the machine's folders. Throws InputError.
+void add_graded_class(const std::filesystem::path& results, const std::filesystem::path& place,
+                      const std::vector<std::string>& students);
 
 }  // namespace rt::grade

@@ -1,6 +1,6 @@
 #include "common/course/grade/results/roster.hpp"
 
-#include "common/system/lower_case.hpp"
+#include "common/system/text.hpp"
 
 #include <algorithm>
 #include <array>

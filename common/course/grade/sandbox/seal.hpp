@@ -59,4 +59,8 @@ inline constexpr int not_sealed = 125;
 [[nodiscard]] bool take_namespaces(Work work);
 [[nodiscard]] bool limit(const Sandbox& seal);
 
+/// The expected ratio of wall-clock time to run time on an idle machine: runnable processes per
+/// processor in the last minute, clamped to 1 to 15. Wall-clock limits are multiplied by it.
+[[nodiscard]] double busy();
+
 }  // namespace rt::grade

@@ -1,8 +1,7 @@
 #include "common/course/grade/sandbox/source_names.hpp"
 
 #include "common/stages/graded_file.hpp"
-#include "common/system/ending_of.hpp"
-#include "common/system/lower_case.hpp"
+#include "common/system/text.hpp"
 
 #include <algorithm>
 #include <array>

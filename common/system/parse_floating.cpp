@@ -1,4 +1,4 @@
-#include "common/system/two_numbers.hpp"
+#include "common/system/parse_floating.hpp"
 
 #include <charconv>
 
