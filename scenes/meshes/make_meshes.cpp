@@ -2,7 +2,7 @@
 // ones are made where they are wanted: `make_meshes sphere_1m sphere_1m.off`.
 
 #include "scenes/meshes/owl.hpp"
-#include "scenes/meshes/refine.hpp"
+#include "scenes/meshes/polygons.hpp"
 #include "scenes/meshes/surfaces.hpp"
 #include "scenes/meshes/write_mesh.hpp"
 

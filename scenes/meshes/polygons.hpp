@@ -38,4 +38,15 @@ void append(Polygons& polygons, const Polygons& more);
 /// Every face of more than three corners, cut into triangles.
 [[nodiscard]] Polygons cut_up(Polygons polygons);
 
+// Rounder meshes, by OpenMesh's subdivision: refine.cpp
+
+/// Each time, every face of n corners becomes n quadrilaterals (Catmull, Clark 1978).
+[[nodiscard]] Polygons catmull_clark(const Polygons& polygons, int times);
+
+/// Each time, every triangle becomes four (Loop 1987). All faces must be triangles.
+[[nodiscard]] Polygons loop(const Polygons& polygons, int times);
+
+/// With a normal a vertex, the mean of its faces' weighted by their angles there.
+[[nodiscard]] Polygons with_normals(Polygons polygons);
+
 }  // namespace rt

@@ -1,4 +1,4 @@
-#include "scenes/meshes/refine.hpp"
+#include "scenes/meshes/polygons.hpp"
 
 #include "common/geometry/mesh_normals.hpp"
 
