@@ -9,10 +9,10 @@
 namespace rt {
 
 /// The smallest depth at which the omitted reflections are too weak to see: n reflections off
-/// mirrors of strength m contribute with a weight of m^n. The tolerance is in 8-bit levels.
-[[nodiscard]] inline int sufficient_depth(double strongest_mirror, double tolerance) {
+/// mirrors of strength m contribute with a weight of m^n. `levels` is the tolerance, of 255.
+[[nodiscard]] inline int sufficient_depth(double strongest_mirror, double levels) {
     // The omitted reflections use at most an eighth of the tolerance; the samples use the rest.
-    const double visible = tolerance / 8 / 255;
+    const double visible = levels / 8 / 255;
     if (strongest_mirror <= 0 || visible >= 1) return 0;
     if (strongest_mirror >= 1) return most_depth;
     const double reflections = std::log(visible) / std::log(strongest_mirror);
