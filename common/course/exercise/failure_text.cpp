@@ -12,16 +12,16 @@
 
 namespace rt {
 
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+        text.replace(at, from.size(), to);
+}
+
 namespace {
 
 constexpr int call_digits = 7;
 constexpr int least_digits = 6;
 constexpr int most_digits = 17;
-
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-        text.replace(at, from.size(), to);
-}
 
 /// Removes a field with this value wherever it follows another one.
 void remove_field(std::string& text, const std::string& field) {

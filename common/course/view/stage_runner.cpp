@@ -1,5 +1,6 @@
 #include "common/course/view/stage_runner.hpp"
 
+#include "common/course/exercise/failure_text.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/translation.hpp"
@@ -48,12 +49,6 @@ std::optional<TurnedCamera> parse_camera(const std::string& line) {
     camera.yaw = std::atan2(x, -z) / degree;
     camera.pitch = std::atan2(y, std::hypot(x, z)) / degree;
     return camera;
-}
-
-void replace_all(std::string& text, const std::string& old_words, const std::string& new_words) {
-    for (std::size_t at = text.find(old_words); at != std::string::npos;
-         at = text.find(old_words, at + new_words.size()))
-        text.replace(at, old_words.size(), new_words);
 }
 
 }  // namespace
