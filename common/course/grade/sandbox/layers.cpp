@@ -1,7 +1,6 @@
 #include "common/course/grade/sandbox/layers.hpp"
 
 #include "common/course/grade/sandbox/seal.hpp"
-#include "common/course/grade/sandbox/seccomp_filter.hpp"
 
 #include <fcntl.h>
 #include <linux/capability.h>

@@ -63,4 +63,10 @@ inline constexpr int not_sealed = 125;
 /// processor in the last minute, clamped to 1 to 15. Wall-clock limits are multiplied by it.
 [[nodiscard]] double busy();
 
+/// Installs the filter of system calls (seccomp_filter.cpp) permanently on this process and its
+/// children. Workers and compilers have one list of allowed calls each. A worker gets an error for
+/// calls that honest code may try without harm (to open a file), and is killed for any other; a
+/// compiler gets ENOSYS for every call not on the list. Returns true if the filter is active.
+[[nodiscard]] bool filter_system_calls(const Sandbox& seal);
+
 }  // namespace rt::grade

@@ -1,4 +1,4 @@
-#include "common/course/grade/sandbox/seccomp_filter.hpp"
+#include "common/course/grade/sandbox/seal.hpp"
 
 #include <fcntl.h>
 #include <sched.h>
