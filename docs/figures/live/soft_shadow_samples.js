@@ -53,7 +53,7 @@ define("soft_shadow_samples", class extends Figure {
     sketch.write([320, 20], `true share, by 8192 rays: ${short(true_share, 3)}`, color.ink, "middle");
     for (const x of [256, 582]) sketch.write([x, 98], "samples", color.ink, "middle");
     sketch.write([256, 236], "one in each box", color.ink, "middle");
-    sketch.write([582, 236], "several in some", color.ink, "middle");
+    sketch.write([636, 236], "some empty", color.ink, "end");
     sketch.write([320, 318], "the light as the point sees it; dot: its ray arrives; cross: the ball is in the way", color.gray, "middle");
     return rows;
   }
