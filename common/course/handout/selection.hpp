@@ -1,4 +1,4 @@
-// What a hand-out contains: which files, and what a lecturer leaves out of them.
+// The files of a hand-out, and the parts that a lecturer leaves out of it.
 #pragma once
 
 #include <filesystem>
