@@ -1,9 +1,9 @@
 // Texts: letters without case, lines, numbers, the ending of a name.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,8 +20,11 @@ namespace rt {
 /// The lines without their ends.
 [[nodiscard]] inline std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        lines.push_back(text.substr(at, end - at));
+        at = end + 1;
+    }
     return lines;
 }
 

@@ -20,39 +20,38 @@ std::map<std::string, std::string>& translations() {
 }
 
 /// The place that begins there, with its braces: "{some}" of "{some} of {all}", or nothing.
-std::string place_at(const std::string& sentence, std::size_t at) {
-    if (sentence[at] != '{') return "";
+std::string_view place_at(std::string_view sentence, std::size_t at) {
     const std::size_t end = sentence.find_first_not_of("abcdefghijklmnopqrstuvwxyz_", at + 1);
-    if (end == std::string::npos || end == at + 1 || sentence[end] != '}') return "";
+    if (end == sentence.npos || end == at + 1 || sentence[end] != '}') return "";
     return sentence.substr(at, end + 1 - at);
 }
 
 /// A sentence with places, as the words before each of them and behind the last.
 struct Pattern {
-    std::string sentence;
-    std::vector<std::string> words = {""};
-    std::vector<std::string> places = {};
+    std::string_view sentence;
+    std::vector<std::string_view> words = {};
+    std::vector<std::string_view> places = {};
     std::size_t length = 0;  ///< of the words
 };
 
-std::vector<Pattern>& patterns() {
-    static std::vector<Pattern> all;
-    return all;
-}
-
-Pattern pattern_of(const std::string& sentence) {
+Pattern pattern_of(std::string_view sentence) {
     Pattern pattern{.sentence = sentence};
-    for (std::size_t i = 0; i < sentence.size();) {
-        const std::string place = place_at(sentence, i);
+    std::size_t start = 0;  // of the words
+    const auto end_words = [&](std::size_t end) {
+        pattern.words.push_back(sentence.substr(start, end - start));
+        pattern.length += pattern.words.back().size();
+    };
+    for (std::size_t at = sentence.find('{'); at != sentence.npos; at = sentence.find('{', at)) {
+        const std::string_view place = place_at(sentence, at);
         if (place.empty()) {
-            pattern.words.back() += sentence[i++];
-            ++pattern.length;
+            ++at;
             continue;
         }
+        end_words(at);
         pattern.places.push_back(place.substr(1, place.size() - 2));
-        pattern.words.emplace_back();
-        i += place.size();
+        at = start = at + place.size();
     }
+    end_words(sentence.size());
     return pattern;
 }
 
@@ -60,7 +59,7 @@ Pattern pattern_of(const std::string& sentence) {
 bool tells_apart(const Pattern& pattern) {
     constexpr int few = 4;
     int letters = 0;
-    for (const std::string& words : pattern.words)
+    for (const std::string_view words : pattern.words)
         letters += int(std::count_if(words.begin(), words.end(),
                                      [](unsigned char c) { return std::isalpha(c) != 0; }));
     return !pattern.words.front().empty() || letters >= few;
@@ -69,7 +68,7 @@ bool tells_apart(const Pattern& pattern) {
 /// The values in the pattern's places, each as short as possible, but not empty; or nothing if the
 /// text does not fit.
 Values values_in(const std::string& text, const Pattern& pattern) {
-    const std::string& end = pattern.words.back();
+    const std::string_view end = pattern.words.back();
     if (!text.starts_with(pattern.words.front()) || !text.ends_with(end)) return {};
     Values values;
     std::size_t at = pattern.words.front().size();
@@ -85,25 +84,30 @@ Values values_in(const std::string& text, const Pattern& pattern) {
 }
 
 /// The text of a line's quotes: "a \"word\"\n".
-std::string unquoted(const std::string& line) {
-    std::string text;
+std::string unquoted(std::string_view line) {
     const std::size_t first = line.find('"');
     const std::size_t last = line.rfind('"');
-    for (std::size_t i = first + 1; i < last; ++i) {
-        if (line[i] != '\\') {
-            text += line[i];
-            continue;
-        }
-        ++i;
-        text += line[i] == 'n' ? '\n' : line[i] == 't' ? '\t' : line[i];
+    if (first == last) return "";
+    line = line.substr(first + 1, last - first - 1);
+    std::string text;
+    for (std::size_t i = 0; i < line.size();) {
+        const std::size_t plain = std::min(line.find('\\', i), line.size());
+        text += line.substr(i, plain - i);
+        i = plain + 2;
+        if (plain + 1 >= line.size()) continue;
+        const char escaped = line[plain + 1];
+        text += escaped == 'n' ? '\n' : escaped == 't' ? '\t' : escaped;
     }
     return text;
 }
 
-void add_translation(const std::string& english, const std::string& own) {
-    translations().insert({english, own});
-    Pattern pattern = pattern_of(english);
-    if (!pattern.places.empty() && tells_apart(pattern)) patterns().push_back(std::move(pattern));
+/// False if the text cannot fit the sentence: by what stands before its first and behind its last
+/// brace, since most sentences end here.
+bool may_fit(const std::string& text, std::string_view sentence) {
+    const std::size_t open = sentence.find('{');
+    const std::size_t close = sentence.rfind('}');
+    return open < close && close != sentence.npos && text.starts_with(sentence.substr(0, open)) &&
+           text.ends_with(sentence.substr(close + 1));
 }
 
 /// The same as tr_text, with the values translated so many times.
@@ -111,19 +115,21 @@ std::string translated(const std::string& text, int inside) {
     constexpr std::size_t longest = 2000;
     const auto found = translations().find(text);
     if (found != translations().end()) return found->second;
-    const Pattern* best = nullptr;
+    Pattern best;
     Values values;
-    for (const Pattern& pattern : patterns()) {
-        if (text.size() > longest || (best != nullptr && pattern.length <= best->length)) continue;
+    for (const auto& [english, own] : translations()) {
+        if (text.size() > longest || !may_fit(text, english)) continue;
+        const Pattern pattern = pattern_of(english);
+        if (pattern.length <= best.length || !tells_apart(pattern)) continue;
         Values those = values_in(text, pattern);
         if (those.empty()) continue;
-        best = &pattern;
+        best = pattern;
         values = std::move(those);
     }
-    if (best == nullptr) return text;
+    if (values.empty()) return text;
     if (inside > 0)
         for (auto& [place, value] : values) value = translated(value, inside - 1);
-    return tr(best->sentence, values);
+    return tr(std::string(best.sentence), values);
 }
 
 }  // namespace
@@ -137,50 +143,50 @@ std::string language_of_environment() {
     return "";
 }
 
-std::vector<std::string> catalogue_entries(const std::string& catalogue) {
-    std::vector<std::string> entries(1);
-    for (const std::string& line : lines_of(catalogue)) {
-        if (!line.empty())
-            entries.back() += line + "\n";
-        else if (!entries.back().empty())
-            entries.emplace_back();
+std::vector<CatalogueEntry> catalogue_entries(const std::string& catalogue) {
+    std::vector<CatalogueEntry> entries;
+    CatalogueEntry entry;
+    std::string* text = nullptr;  // that the line's quotes belong to
+    const auto end_entry = [&] {
+        if (!entry.lines.empty()) entries.push_back(std::exchange(entry, {}));
+        text = nullptr;
+    };
+    for (std::string_view rest = catalogue; !rest.empty();) {
+        const std::string_view line = rest.substr(0, rest.find('\n'));
+        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+        if (line.empty()) {
+            end_entry();
+            continue;
+        }
+        entry.lines.append(line) += '\n';
+        if (line.starts_with("#,") && line.find(", fuzzy") != line.npos) entry.is_fuzzy = true;
+        if (line.starts_with("msg"))
+            text = line.starts_with("msgid ")    ? &entry.english
+                   : line.starts_with("msgstr ") ? &entry.own
+                                                 : nullptr;
+        if (text != nullptr) *text += unquoted(line);
     }
-    if (entries.back().empty()) entries.pop_back();
+    end_entry();
     return entries;
 }
 
-std::string catalogue_text(const std::string& entry, const std::string& keyword) {
-    std::string text;
-    bool inside = false;
-    for (const std::string& line : lines_of(entry)) {
-        if (line.starts_with("msg")) inside = line.starts_with(keyword + " ");
-        if (inside) text += unquoted(line);
-    }
-    return text;
-}
-
-std::vector<std::pair<std::string, std::string>> translations_in(
-    const std::filesystem::path& catalogue) {
-    std::vector<std::pair<std::string, std::string>> found;
+std::vector<CatalogueEntry> translations_in(const std::filesystem::path& catalogue) {
     std::ifstream in(catalogue, std::ios::binary);
-    const std::string text(std::istreambuf_iterator<char>(in), {});
-    for (const std::string& entry : catalogue_entries(text)) {
-        const std::string flags = entry.substr(0, entry.find("msgid"));
-        const std::string english = catalogue_text(entry, "msgid");
-        const std::string own = catalogue_text(entry, "msgstr");
-        if (flags.find(", fuzzy") == std::string::npos && !english.empty() && !own.empty())
-            found.emplace_back(english, own);
-    }
-    return found;
+    std::vector<CatalogueEntry> entries =
+        catalogue_entries(std::string(std::istreambuf_iterator<char>(in), {}));
+    std::erase_if(entries, [](const CatalogueEntry& entry) {
+        return entry.is_fuzzy || entry.english.empty() || entry.own.empty();
+    });
+    return entries;
 }
 
 void read_translations(const std::filesystem::path& catalogue) {
-    for (const auto& [english, own] : translations_in(catalogue)) add_translation(english, own);
+    for (const CatalogueEntry& entry : translations_in(catalogue))
+        translations().insert({entry.english, entry.own});
 }
 
 void forget_translations() {
     translations().clear();
-    patterns().clear();
 }
 
 std::string tr(const std::string& english) {

@@ -14,10 +14,19 @@ namespace rt {
 /// empty: "fr" of "fr_FR.UTF-8". Empty if none is.
 [[nodiscard]] std::string language_of_environment();
 
-/// The English texts and their translations in a catalogue of gettext's form, if there is one. What
-/// is fuzzy or empty is left out.
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> translations_in(
-    const std::filesystem::path& catalogue);
+/// A paragraph of a catalogue of gettext's form: an English text and its translation.
+struct CatalogueEntry {
+    std::string lines = {};
+    std::string english = {};
+    std::string own = {};
+    bool is_fuzzy = false;  ///< the English text has changed since
+};
+
+/// The entries of a catalogue's text.
+[[nodiscard]] std::vector<CatalogueEntry> catalogue_entries(const std::string& catalogue);
+
+/// The entries of a catalogue, if there is one, that are neither fuzzy nor empty.
+[[nodiscard]] std::vector<CatalogueEntry> translations_in(const std::filesystem::path& catalogue);
 
 /// The variable with which ./course names a catalogue to a stage's program.
 inline constexpr const char* sentences_variable = "RAYSTEPS_SENTENCES";
@@ -27,12 +36,6 @@ void read_translations(const std::filesystem::path& catalogue);
 
 /// Removes those that were read.
 void forget_translations();
-
-/// The entries of a catalogue: the paragraphs of the file.
-[[nodiscard]] std::vector<std::string> catalogue_entries(const std::string& catalogue);
-
-/// The text of an entry behind the keyword msgid, in English, or msgstr, in its own language.
-[[nodiscard]] std::string catalogue_text(const std::string& entry, const std::string& keyword);
 
 /// A sentence that is translated where it is printed, not here.
 [[nodiscard]] constexpr const char* to_translate(const char* english) {

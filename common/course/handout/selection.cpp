@@ -89,11 +89,10 @@ std::string selected_text(const Selection& selection, const std::string& path,
 std::string selected_entries(const std::string& catalogue, const std::string& page) {
     const std::string words = words_of(page);
     std::string selected;
-    for (const std::string& entry : catalogue_entries(catalogue)) {
-        const std::string english = words_of(catalogue_text(entry, "msgid"));
-        if (!entry.starts_with("#~") && words.find(english) != std::string::npos)
-            selected += (selected.empty() ? "" : "\n") + entry;
-    }
+    for (const CatalogueEntry& entry : catalogue_entries(catalogue))
+        if (!entry.lines.starts_with("#~") &&
+            words.find(words_of(entry.english)) != std::string::npos)
+            selected += (selected.empty() ? "" : "\n") + entry.lines;
     return selected;
 }
 

@@ -133,9 +133,9 @@ private:
     [[nodiscard]] Response words() const {
         const std::string language = settings_.language.empty() ? "en" : settings_.language;
         std::string all;
-        for (const auto& [english, own] :
+        for (const CatalogueEntry& entry :
              translations_in(settings_.project / "lang" / language / "view.po"))
-            all += (all.empty() ? "" : ",") + json(english) + ":" + json(own);
+            all += (all.empty() ? "" : ",") + json(entry.english) + ":" + json(entry.own);
         return {.body = "const language = " + json(language) + ", words = {" + all + "};\n",
                 .type = "text/javascript; charset=utf-8"};
     }
