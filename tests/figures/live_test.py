@@ -74,7 +74,7 @@ class Site(http.server.BaseHTTPRequestHandler):
 # In the page: the questions and the text of the last drawing, once it is done.
 state = """(async () => {
   const figure = document.querySelector("rt-%s");
-  for (let i = 0; !figure.table || figure.drawing || !figure.asked; ++i) {
+  for (let i = 0; !figure.table || figure.drawing || figure.moving || !figure.asked; ++i) {
     if (i === 6000) throw Error("the figure does not draw");
     await new Promise((resolve) => setTimeout(resolve, 5));
   }
@@ -176,6 +176,8 @@ def check(browser, origin, name):
         if not shown["asked"] or shown["shapes"] < 3:
             errors.append(f"state {number} asks or draws nothing")
         seen.append(json.dumps([shown["asked"], shown["table"]]))
+        if number >= 6:  # a case
+            errors += [f"state {number}: {error}" for error in cut_off(browser, name)]
         for precision in count:
             asked = [each for each in shown["asked"] if each[0] == precision]
             count[precision] += len(asked)
@@ -248,12 +250,13 @@ def says_not(shown, texts):
 
 
 def cut_off(browser, name):
-    """Errors of texts that reach out of the drawing as loaded, in a wide window and, in Chromium, in one of 400 pixels."""
+    """Errors of texts that reach out of the drawing as it stands, in a wide window and, in Chromium, in one of 400 pixels."""
     errors = []
     for width in [700, 400] if isinstance(browser, chromium.Chromium) else []:
         browser.call("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=False)
-        errors += [f"in {width} pixels, {text} is cut off" for text in browser.run(f"""(() => {{
-          const {{ svg, constructor: {{ height }} }} = document.querySelector("rt-{name}");
+        errors += [f"in {width} pixels, {text} is cut off" for text in browser.run(f"""(async () => {{
+          const figure = document.querySelector("rt-{name}"), {{ svg, constructor: {{ height }} }} = figure;
+          await figure.redraw();
           return Array.from(svg.querySelectorAll("text")).map((text) => [text.textContent, text.getBBox()])
             .filter(([, box]) => box.x < -4 || box.x + box.width > 644 || box.y < -4 || box.y + box.height > height + 4).map(([text]) => text);
         }})()""")]

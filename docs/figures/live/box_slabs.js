@@ -55,7 +55,7 @@ define("box_slabs", class extends RayFigure {
       this.bars(sketch, top, name, parts, inside);
       top += 116;
     }
-    [["hit", 22, "enters the box"], ["refused", 154, "crosses another plane"]].forEach(([kind, x, meaning]) => {
+    [["hit", 22, "enters the box"], ["refused", 178, "crosses another plane"]].forEach(([kind, x, meaning]) => {
       sketch.mark(sketch.world([x, 370]), kind);
       sketch.write([x + 12, 375], meaning);
     });

@@ -15,7 +15,9 @@ export const color = {
 
 const style = `
   :host { display: block; margin: 1em 0; }
-  svg { width: 100%; max-width: 640px; display: block; background: ${color.white}; font: 14px sans-serif; }
+  div { position: relative; max-width: 640px; background: ${color.white}; }
+  svg { width: 100%; display: block; position: relative; font: 14px sans-serif; }
+  canvas { position: absolute; }
   svg text { fill: ${color.ink}; stroke: ${color.white}; stroke-width: 4; stroke-linejoin: round; paint-order: stroke; }
   .handle { display: block; cursor: grab; outline: none; touch-action: none; stroke: ${pair("#24292f40", "#e6edf350")}; stroke-width: 8; paint-order: stroke; }
   .handle:hover { stroke: ${pair("#24292f70", "#e6edf380")}; }
@@ -37,7 +39,7 @@ const style = `
   .differs { color: ${color.red}; font-weight: bold; }
   @media (max-width: 500px) { svg { font-size: 19px; } .long { font-size: 15px; } input[type=range] { width: 7em; } td:first-child:not([colspan]) { white-space: normal; } .handle { stroke-width: 24; } }
   slot { display: none; }
-  @media print { slot { display: block; } svg, form, details { display: none; } }`;  // the drawn figure
+  @media print { slot { display: block; } div, form, details { display: none; } }`;  // the drawn figure
 
 export const add = (a, b) => a.map((x, i) => x + b[i]);
 export const minus = (a, b) => a.map((x, i) => x - b[i]);
@@ -55,7 +57,9 @@ function typeset(made, text) {
   text.split("$").forEach((part, i) => {
     for (const [, lowered, letter, other] of part.matchAll(i % 2 ? /_(.)|(\p{L})|([^_\p{L}]+)/gu : /()()([^]+)/g)) {
       const dy = lowered ? 4 : 0, style = `${/\p{L}/u.test(lowered || letter) ? "font-style: italic; " : ""}font-size: ${lowered ? "75%" : "inherit"}`;
-      made.append(element("tspan", { dy: dy - low, style }, lowered || letter || other));
+      const span = element("tspan", { dy: dy - low, style });
+      span.textContent = lowered || letter || other;
+      made.append(span);
       low = dy;
     }
   });
@@ -64,11 +68,30 @@ function typeset(made, text) {
 /// The same as plain text.
 const unset = (text) => text.replaceAll("$", "").replace(/_(\d)/g, (_, digit) => String.fromCodePoint(0x2080 + Number(digit)));
 
-function element(name, attributes, text = "") {
+function element(name, attributes) {
   const made = document.createElementNS("http://www.w3.org/2000/svg", name);
   for (const [key, value] of Object.entries(attributes)) made.setAttribute(key.replace("_", "-"), value);
-  made.textContent = text;
   return made;
+}
+
+/// Makes the elements of a group those of a list. What is the same stays: each change takes a part of a frame's time.
+function show(group, shapes) {
+  const shown = group.shapes ?? [], likeness = ({ name, attributes, text }) => [name, ...Object.keys(attributes), text].join();
+  shapes.forEach((shape, i) => {
+    const { name, attributes, text } = shape, old = shown[i];
+    if (old && likeness(old) === likeness(shape)) {
+      shape.made = old.made;
+      for (const key in attributes) if (attributes[key] !== old.attributes[key]) shape.made.setAttribute(key.replace("_", "-"), attributes[key]);
+      return;
+    }
+    shape.made = element(name, attributes);
+    if (name === "svg") shape.made.innerHTML = text;
+    else typeset(shape.made, text);
+    if (old) old.made.replaceWith(shape.made);
+    else group.append(shape.made);
+  });
+  shown.slice(shapes.length).forEach(({ made }) => made.remove());
+  group.shapes = [...shapes];
 }
 
 /// A page of vector graphics; points in space, projected along the view.
@@ -86,11 +109,7 @@ export class Sketch {
     return add(times(plain((x - place[0]) / scale), right), times(plain((place[1] - y) / scale), up));
   }
   shape(name, attributes, text = "") {
-    const made = element(name, attributes);
-    typeset(made, text);
-    if (name === "text") this.labels.append(made);  // over everything else
-    else this.group.append(made);
-    return made;
+    (name === "text" ? this.labels : this.group).push({ name, attributes, text });  // labels are over everything else
   }
   /// Rectangles of one color, as places and sizes in pixels.
   cells(all, pen) {
@@ -101,8 +120,8 @@ export class Sketch {
     const text = tr(english);
     this.shape("text", { x, y, text_anchor: anchor, style: `fill: ${fill}${style}`, class: unset(text).length > 18 ? "long" : "" }, text);
   }
-  pixels(name, attributes, { stroke = "none", fill = "none", width = 1.5, dashes = "none" } = {}) {
-    return this.shape(name, { ...attributes, stroke, fill, stroke_width: width, stroke_dasharray: dashes });
+  pixels(name, attributes, { stroke = "none", fill = "none", width = 1.5, dashes = "none" } = {}, text = "") {
+    this.shape(name, { ...attributes, stroke, fill, stroke_width: width, stroke_dasharray: dashes }, text);
   }
   line(from, to, pen = {}) {
     const [[x1, y1], [x2, y2]] = [this.screen(from), this.screen(to)];
@@ -140,7 +159,7 @@ export class Sketch {
   /// Roots with their t, and `told` of each: the first is labeled above, the last below.
   roots(ray, roots, hit, told = () => "") {
     [...roots].sort((a, b) => a - b).forEach((t, i) => {
-      const steep = Math.abs(ray.direction[1]) > 2 * Math.abs(ray.direction[0]), up = ray.direction[1] > 0.05 * Math.abs(ray.direction[0]);
+      const steep = Math.abs(ray.direction[1]) > 1.5 * Math.abs(ray.direction[0]), up = ray.direction[1] > 0.05 * Math.abs(ray.direction[0]);
       this.mark(at(ray, t), t === hit ? "hit" : "refused");
       const name = roots.length > 1 ? `$t_${i + 1}$` : "$t$", left = !steep && (i === 0 || t < 0);
       this.label(at(ray, t), steep ? [12, 5] : [left ? -10 : 10, left === up ? -10 : 20], `${name} = ${short(t)}${told(t)}`, t === hit ? color.red : color.gray, left ? "end" : "start");
@@ -162,19 +181,28 @@ export class Figure extends HTMLElement {
   mode = "reference";
 
   async connectedCallback() {
+    // The first of a page begins at once, the others when the browser has time.
+    const is_first = !Figure.is_begun;
+    Figure.is_begun = true;
     this.engine = await open("double");  // without it, the drawn figure stays
+    if (!is_first) await new Promise((done) => (window.requestIdleCallback ?? setTimeout)(done));
     const root = this.attachShadow({ mode: "open" });
-    root.innerHTML = `<style>${style}</style><slot></slot><form></form><details><summary>${tr("All digits")}</summary><table></table></details>`;
+    root.innerHTML = `<style>${style}</style><slot></slot><div></div><form></form><details><summary>${tr("All digits")}</summary><table></table></details>`;
     [this.form, this.table] = [root.querySelector("form"), root.querySelector("table")];
-    this.svg = element("svg", { viewBox: `0 0 640 ${this.constructor.height}`, role: "group", "aria-label": this.querySelector("img")?.alt ?? this.localName });
+    this.svg = element("svg", { viewBox: `0 0 640 ${this.constructor.height}`, role: "group" });
+    const name = () => this.svg.setAttribute("aria-label", this.querySelector("img")?.alt ?? this.localName);
+    addEventListener("DOMContentLoaded", name);  // if it is not yet whole
+    name();
     [this.back, this.front] = [element("g", {}), element("g", {})];
     this.svg.append(this.back, this.front);
-    this.form.before(this.svg);
-    this.sketch = new Sketch(this.back, this.back, this.view);
+    root.querySelector("div").append(this.svg);
+    this.back.append(element("g", {}), element("g", {}));
+    this.sketch = new Sketch([], [], this.view);
     this.setup();
     this.precision = this.choice("precision", ["double", "float"]);
     if (has_mine) this.whose = this.choice("answers", ["reference", "mine", "both"]);
     this.form.addEventListener("submit", (event) => event.preventDefault());
+    addEventListener("resize", () => this.redraw());
     if (has_mine) addEventListener("saved", () => this.redraw());
     await this.redraw();
   }
@@ -189,14 +217,13 @@ export class Figure extends HTMLElement {
     const within = (x, most) => Math.min(Math.max(x, 10), most - 10);
     const move = (x, y) => {
       handle.place = keep(this.sketch.world([within(x, 640), within(y, this.constructor.height)])).map(plain);
-      this.#moved();
+      this.#moves();
     };
     handle.show = () => {
       const [cx, cy] = this.sketch.screen(handle.place);
       for (const [key, value] of Object.entries({ cx, cy, "aria-valuenow": plain(cx), "aria-valuetext": `(${handle.place.map(plain).join(", ")})` })) knob.setAttribute(key, value);
     };
     knob.addEventListener("pointerdown", (event) => knob.setPointerCapture(event.pointerId));
-    knob.addEventListener("pointerup", () => this.redraw());
     knob.addEventListener("pointermove", (event) => {
       if (!knob.hasPointerCapture(event.pointerId)) return;
       const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.svg.getScreenCTM().inverse());
@@ -220,7 +247,7 @@ export class Figure extends HTMLElement {
     const read = () => (power ? Number((10 ** Number(input.value)).toPrecision(2)) : Number(input.value));
     const output = document.createElement("output");
     const show = () => { output.textContent = (power ? read().toExponential() : read()) + unit; input.setAttribute("aria-valuetext", output.textContent); };
-    input.addEventListener("input", () => (show(), this.#moved()));
+    input.addEventListener("input", () => (show(), this.#moves()));
     show();
     this.#labeled(name, input, output);
     return { get value() { return read(); }, set value(x) { input.value = power ? Math.log10(x) : x; show(); } };
@@ -242,6 +269,13 @@ export class Figure extends HTMLElement {
     this.form.prepend(...buttons);
     this.buttons = buttons;
     (together ? buttons[0] : buttons[Object.keys(all).indexOf(start)]).choose();
+  }
+  /// While something moves, the table waits if it is folded, and what is shaded is coarser.
+  #moves() {
+    this.moving = true;
+    clearTimeout(this.rest);
+    this.rest = setTimeout(() => ((this.moving = false), this.redraw()), 150);
+    this.#moved();
   }
   #moved(button = null, name = "") {
     for (const each of this.buttons ?? []) each.setAttribute("aria-pressed", each === button);
@@ -280,17 +314,19 @@ export class Figure extends HTMLElement {
 
   // ---- questions and their answers
 
-  /// A stage's function: the reference's answer, or the student's. Stage 0 are explanations.
-  async ask(stage, name, ...values) {
-    const [bytes, type] = this.engine.question(stage, name, values);
-    const reference = this.engine.reference(bytes);
-    this.asked.push({ precision: this.engine.precision, question: bytes, answer: reference, name: `${name} of stage ${stage}` });
-    if (stage === 0 || !this.whose || this.whose.value === "reference") return this.engine.read(reference, type);
+  /// A stage's function: the reference's answer, or the student's, which takes a while. Stage 0 are explanations.
+  ask(stage, name, ...values) {
+    const [question, type] = this.engine.question(stage, name, values), answer = this.engine.reference(question);
+    if (!this.moving) this.asked.push({ precision: this.engine.precision, question: question.slice(), answer: answer.slice(), name: `${name} of stage ${stage}` });
+    if (stage === 0 || !this.whose || this.whose.value === "reference") return this.engine.read(answer, type);
+    return this.#mine(name, question.slice(), answer.slice(), type);
+  }
+  async #mine(name, question, reference, type) {
     const { most_of_mine } = this.constructor;
     if (++this.own === most_of_mine) this.differences.add(`your file answers the first ${most_of_mine} questions of this figure, the reference the others`);
     if (this.own >= most_of_mine) return this.engine.read(reference, type);
     try {
-      const mine = await this.engine.mine(bytes);
+      const mine = await this.engine.mine(question);
       if (this.whose.value === "both" && mine.join() !== reference.join())
         this.differences.add(`${name}: mine ${JSON.stringify(this.engine.read(mine, type))}, reference ${JSON.stringify(this.engine.read(reference, type))}`);
       return this.engine.read(mine, type);
@@ -318,15 +354,26 @@ export class Figure extends HTMLElement {
         this.wanted = false;
         this.engine = await open(this.precision.value);
         [this.asked, this.differences, this.own] = [[], new Set(), 0];
-        [this.sketch.group, this.sketch.labels] = [element("g", {}), element("g", {})];
+        [this.sketch.group, this.sketch.labels] = [[], []];
         const rows = await this.draw(this.sketch);
-        this.back.replaceChildren(this.sketch.group, this.sketch.labels);
+        this.show();
         (this.handles ?? []).forEach((handle) => handle.show());
-        this.#tell([...rows, ...Array.from(this.differences, (text) => ["≠", text, "differs"])]);
+        if (!this.moving || this.table.parentElement.open) this.#tell([...rows, ...Array.from(this.differences, (text) => ["≠", text, "differs"])]);
       }
     } finally {
       this.drawing = false;
     }
+  }
+
+  /// Shows what is in the sketch. A label that would leave the drawing stays at its edge.
+  show() {
+    const { labels } = this.sketch, into = (start, size, edge, most) => (size > 0 ? Math.max(0, edge - start) + Math.min(0, most - edge - start - size) : 0);
+    [this.sketch.group, labels].forEach((shapes, i) => show(this.back.children[i], shapes));
+    const boxes = labels.map(({ made }) => made.getBBox());
+    labels.forEach(({ made }, i) => [["x", "width", 2, 640], ["y", "height", -3, this.constructor.height]].forEach(([side, size, ...room]) => {
+      const by = into(boxes[i][side], boxes[i][size], ...room);
+      if (by) made.setAttribute(side, Number(made.getAttribute(side)) + by);
+    }));
   }
 
   /// A row is a name and a value, or a text of `--pixel`.

@@ -4,14 +4,16 @@
 import { content } from "./content.js";
 import { files, mine } from "./mine.js";
 
-const numbers = { f32: [4, "Float32"], f64: [8, "Float64"], u8: [1, "Uint8"], i32: [4, "Int32"], u32: [4, "Uint32"], bool: [1, "Uint8"] };
+const numbers = Object.fromEntries(Object.entries({ f32: [4, "Float32"], f64: [8, "Float64"], u8: [1, "Uint8"], i32: [4, "Int32"], u32: [4, "Uint32"], bool: [1, "Uint8"] })
+  .map(([type, [size, kind]]) => [type, [size, `set${kind}`, `get${kind}`]]));
 
 const room = new DataView(new ArrayBuffer(4096));  // for one question
 
 function put(to, type, value) {
+  if (type === "f64") return to.view.setFloat64((to.place += 8) - 8, value, true);
   if (typeof type === "string") {
-    const [size, kind] = numbers[type];
-    to.view[`set${kind}`](to.place, value, true);
+    const [size, set] = numbers[type];
+    to.view[set](to.place, value, true);
     to.place += size;
   } else if (type.parts) value.forEach((part) => put(to, type.parts[1], part));
   else if (type.record) for (const [name, part] of type.record) put(to, part, value[name]);
@@ -19,22 +21,33 @@ function put(to, type, value) {
   else if (put(to, "bool", value === null ? 0 : 1), value !== null) put(to, type.optional, value);
 }
 
+function list(from, length, type) {
+  const all = [];
+  while (all.length < length) all.push(get(from, type));
+  return all;
+}
+
 function get(from, type) {
+  if (type === "f64") return from.view.getFloat64((from.place += 8) - 8, true);
   if (type === "text") {
     const length = get(from, "u32");
     from.place += length;
     return new TextDecoder().decode(new Uint8Array(from.view.buffer, from.view.byteOffset + from.place - length, length));
   }
   if (typeof type === "string") {
-    const [size, kind] = numbers[type];
+    const [size, , get] = numbers[type];
     from.place += size;
-    const value = from.view[`get${kind}`](from.place - size, true);
+    const value = from.view[get](from.place - size, true);
     return type === "bool" ? value === 1 : value;
   }
-  if (type.parts) return Array.from({ length: type.parts[0] }, () => get(from, type.parts[1]));
-  if (type.record) return Object.fromEntries(type.record.map(([name, part]) => [name, get(from, part)]));
-  if (type.list === "u8") return new Uint8Array(from.view.buffer, (from.place += 4) + from.view.byteOffset);  // up to the end: a picture
-  if (type.list) return Array.from({ length: get(from, "u32") }, () => get(from, type.list));
+  if (type.parts) return list(from, ...type.parts);
+  if (type.record) {
+    const record = {};
+    for (const [name, part] of type.record) record[name] = get(from, part);
+    return record;
+  }
+  if (type.list === "u8") return new Uint8Array(from.view.buffer, (from.place += 4) + from.view.byteOffset, from.view.getUint32(from.place - 4, true));  // a picture, at the end
+  if (type.list) return list(from, get(from, "u32"), type.list);
   return get(from, "bool") ? get(from, type.optional) : null;
 }
 
@@ -70,22 +83,22 @@ class Engine {
     return new Uint8Array(this.exports.memory.buffer, this.exports.engine_result(), size);
   }
 
-  /// A question as bytes, and the type of its answer.
+  /// A question as bytes, until the next one, and the type of its answer.
   question(stage, name, values) {
-    const [place, parameters, answer] = this.functions[stage][name].find(
-      ([, types]) => types.length === values.length && types.every((type, i) => fits(type, values[i])));
+    const all = this.functions[stage][name];
+    const [place, parameters, answer] = all.length === 1 ? all[0] : all.find(([, types]) => types.length === values.length && types.every((type, i) => fits(type, values[i])));
     const to = { view: room, place: 0 };
     put(to, "u8", stage);
     put(to, "u8", place);
     parameters.forEach((type, i) => put(to, type, values[i]));
-    return [new Uint8Array(room.buffer, 0, to.place).slice(), answer];
+    return [new Uint8Array(room.buffer, 0, to.place), answer];
   }
 
-  /// The reference's answer, as bytes.
+  /// The reference's answer, as bytes, until the next one.
   reference(bytes) {
     const room = this.exports.engine_room(bytes.length);
     new Uint8Array(this.exports.memory.buffer, room, bytes.length).set(bytes);
-    return this.#result(this.exports.engine_ask(bytes.length)).slice();
+    return this.#result(this.exports.engine_ask(bytes.length));
   }
 
   /// The answer of the student's file, as bytes. Throws the message of `check` if there is none.
@@ -114,3 +127,4 @@ async function watch() {
 export const has_mine = mine !== null;
 if (has_mine) watch().catch(() => {});  // the server has ended
 export const open = (precision) => Engine.open(precision);
+open("double").catch(() => {});  // the head of a page begins with it; without it, the drawn figures stay

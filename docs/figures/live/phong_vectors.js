@@ -33,6 +33,11 @@ define("phong_vectors", class extends Figure {
     const places = (light, eye) => ({ light, eye, point: [0, 1, 0] });
     this.cases({ "α > 0": places([-0.75, 2.2, 0], [1.5, 2, 0]), "α = 0": places([-1, 2, 0], [1, 2, 0]), "θ > 90°": places([-1.3, 0.75, 0], [1.5, 2, 0]) });
     this.term = this.choice("term", Object.keys(parts));
+    // Behind the drawing, as a picture in it takes the browser longer than a frame.
+    const [cx, cy] = middle, share = (x, whole) => `${(100 * x) / whole}%`;
+    this.canvas = document.createElement("canvas");
+    Object.assign(this.canvas.style, { left: share(cx - radius, 640), top: share(cy - radius, this.constructor.height), width: share(2 * radius, 640) });
+    this.svg.before(this.canvas);
   }
 
   angle(sketch, p, from, to, size, name, stroke) {
@@ -42,12 +47,17 @@ define("phong_vectors", class extends Figure {
     sketch.label(on(0.5, size + 0.12), [0, 5], `$${name}$`, stroke);
   }
 
-  /// The ball in the screen's own pixels.
+  /// The ball in the screen's own pixels, or with a third of them in a row while something moves.
   async draw_ball(sketch, light, ambient, material, to_eye) {
-    const most = this.svg.querySelector(".handle:active") ? 100 : 600;  // so that dragging is smooth
-    const side = Math.min(most, Math.ceil((2 * radius * this.svg.getBoundingClientRect().width * devicePixelRatio) / 640)) || 64;
-    const pixels = await this.ask(0, "lit_ball", light, ambient, material, to_eye, side), [cx, cy] = middle;
-    sketch.shape("image", { href: bitmap(pixels, side), x: cx - radius, y: cy - radius, width: 2 * radius, height: 2 * radius, clip_path: "circle(50%)" });
+    const sharp = Math.ceil((2 * radius * this.svg.getBoundingClientRect().width * devicePixelRatio) / 640) || 64;
+    const side = Math.min(this.moving ? 64 : 600, sharp), [cx, cy] = middle;
+    const pixels = await this.ask(0, "lit_ball", light, ambient, material, to_eye, side);
+    this.canvas.hidden = !this.moving;
+    if (this.moving) {
+      const image = new ImageData(side, side);
+      pixels.forEach((value, i) => (image.data[i % 2 ? i : i ^ 2] = value));  // red is first
+      Object.assign(this.canvas, { width: side, height: side }).getContext("2d").putImageData(image, 0, 0);
+    } else sketch.shape("image", { href: bitmap(pixels, side), x: cx - radius, y: cy - radius, width: 2 * radius, height: 2 * radius, clip_path: "circle(50%)" });
     sketch.pixels("circle", { cx, cy, r: radius }, { stroke: color.gray });
     sketch.write([cx, 210], "what the eye sees", color.ink, "middle");
     // The point as the eye sees it, if it does.
@@ -69,7 +79,8 @@ define("phong_vectors", class extends Figure {
     sketch.line(p, this.eye.place, { stroke: color.blue, width: 1, dashes: "4 4" });
     for (const [name, v, stroke] of [["N", N, color.green], ["L", L, color.amber], ["R", R, color.amber], ["V", to_eye, color.blue]]) {
       sketch.arrow(p, add(p, v), { stroke, width: 2.2 });
-      sketch.label(add(p, times(1.13, v)), [0, 5], `$${name}$`, stroke);
+      const beside = name === "R" && v[0] * to_eye[0] + v[1] * to_eye[1] > 0.97;  // V is there
+      sketch.label(add(p, times(beside ? 0.85 : 1.13, v)), beside ? [16 * v[1], 5 + 16 * v[0]] : [0, 5], `$${name}$`, stroke);
     }
     this.angle(sketch, p, N, L, 0.36, "θ", color.ink);
     this.angle(sketch, p, N, R, 0.42, "θ", color.ink);

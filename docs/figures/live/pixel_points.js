@@ -32,9 +32,8 @@ define("pixel_points", class extends Figure {
     const side = 2 ** this.count.value, rows = [];
     for (const [column, kind] of kinds.entries()) {
       const shift = [(208 / 180) * column, 0, 0], [left, bottom] = sketch.screen(shift);
-      const pixel = sketch.pixels("svg", { x: left, y: bottom - 180, width: 180, height: 180, viewBox: "0 0 180 180" });
       const corners = Object.values(triangle).map(([x, y]) => [180 * x, 180 * (1 - y)]).join(" ");
-      pixel.innerHTML = `<polygon points="${corners}" style="fill: ${color.pale_blue}; stroke: ${color.ink}; stroke-width: 2"/>`;
+      sketch.pixels("svg", { x: left, y: bottom - 180, width: 180, height: 180, viewBox: "0 0 180 180" }, {}, `<polygon points="${corners}" style="fill: ${color.pale_blue}; stroke: ${color.ink}; stroke-width: 2"/>`);
       for (let i = 1; i < side && side <= 8; ++i) sketch.pixels("path", { d: `M${left + (180 * i) / side} ${bottom}v-180M${left} ${bottom - (180 * i) / side}h180` }, { stroke: color.faint, width: 1 });
       sketch.pixels("rect", { x: left, y: bottom - 180, width: 180, height: 180 }, { stroke: color.ink });
       let hits = 0;

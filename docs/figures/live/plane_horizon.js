@@ -36,7 +36,7 @@ define("plane_horizon", class extends RayFigure {
       for (const root of roots) {
         const p = at(ray, root), inside = p[0] < 4.6;
         sketch.mark(p, root === t && kept !== null ? "hit" : "refused");
-        sketch.label([Math.min(p[0], 4.6), 0, 0], [0, 22], `$t$ = ${short(root)}${inside ? "" : " →"}`, root === t ? color.red : color.gray, inside ? "middle" : "end");
+        sketch.label([Math.min(p[0], 4.6), 0, 0], [inside ? 0 : 12, 22], `$t$ = ${short(root)}${inside ? "" : " →"}`, root === t ? color.red : color.gray, inside ? "middle" : "end");
         if (root === t && kept === null) sketch.label([4.6, 0, 0], [0, 46], `|⟨$d_r$, $n$⟩| < ε: refused`, color.purple, "end");
       }
     }

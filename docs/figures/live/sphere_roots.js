@@ -31,7 +31,7 @@ define("sphere_roots", class extends RayFigure {
     if (t !== null) {
       const p = at(ray, t);
       shown.push(["normal", n], ["color_from_normal", await this.ask(3, "color_from_normal", n)], ["torch at the ray's origin", await this.ask(3, "torch", p, n, ray.origin)]);
-      if (!this.together) sketch.label(add(p, times(0.5, n)), [0, -6], "$n$", color.green);
+      if (!this.together) sketch.label(add(p, times(0.62, n)), n[1] > 0.9 ? [14, 5] : [0, 18], "$n$", color.green);
     }
     if (t === null && !this.together) sketch.write([415, 325], "no hit", color.ink, "middle");
     if (this.together) {

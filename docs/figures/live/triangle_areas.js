@@ -23,7 +23,7 @@ define("triangle_areas", class extends Figure {
     for (const [name, from, to, fill, weight] of parts) {
       sketch.polygon([from, to, p], weight < 0 ? { stroke: color.purple, width: 2 } : { fill, stroke: color.gray, width: 1 });
       for (let i = 1; weight < 0 && i < 10; ++i) sketch.line(between(i / 10, p, from), between(i / 10, p, to), { stroke: color.purple, width: 1 });
-      sketch.label(times(1 / 3, add(add(from, to), p)), [name === "β" ? 6 : 0, 5], `$${name}$ = ${decimal(weight)}`, weight < 0 ? color.purple : color.ink, "middle", weight < 0 ? "; stroke-width: 10" : "");
+      sketch.label(times(1 / 3, add(add(from, to), p)), [name === "β" ? 6 : 0, weight < 0 ? -3 : name === "β" && Math.min(...weights) < 0 ? 13 : 5], `$${name}$ = ${decimal(weight)}`, weight < 0 ? color.purple : color.ink, "middle", weight < 0 ? "; stroke-width: 10" : "");
     }
     sketch.polygon([a, b, c], { stroke: color.ink, width: 2 });
     sketch.mark(p, Math.min(...weights) < 0 ? "refused" : "hit");
@@ -43,7 +43,7 @@ define("triangle_areas", class extends Figure {
     sketch.write([160, 282], "$p$ = $α a$ + $β b$ + $γ c$, and $α$ + $β$ + $γ$ = 1", color.ink, "middle");
     sketch.write([160, 304], "the weight of a corner: the area opposite", color.gray, "middle");
     this.draw_areas(sketch, triangle, p, weights);
-    sketch.label(p, [0, -14], t === null ? "$p$: no hit" : "$p$: hit", t === null ? color.gray : color.red);
+    sketch.label(p, t === null ? [0, -14] : [14, 5], t === null ? "$p$: no hit" : "$p$: hit", t === null ? color.gray : color.red, t === null ? "middle" : "start");
     const sum = weights.reduce((total, weight) => total + Math.abs(weight), 0);
     sketch.write([480, 282], t === null ? "an area beyond its edge is negative" : "$p$ is on the inner side of all edges", color.ink, "middle");
     sketch.write([480, 304], `|$α$| + |$β$| + |$γ$| = ${sum.toFixed(2)}`, color.gray, "middle");

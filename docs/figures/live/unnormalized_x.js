@@ -56,7 +56,7 @@ define("unnormalized_x", class extends Figure {
     for (const [left, share, fill, title] of [[90, 1, color.green, "$X$ normalized"], [370, shrunk, color.purple, "$X$ = (0, 1, 0) ∧ $Z$, as printed"]]) {
       const view = [-90 * share, -52 * share, 180 * share, 104 * share];
       sketch.pixels("rect", { x: left, y: 316, width: 180, height: 104 }, { fill: color.tint, stroke: fill, width: 2 });
-      sketch.pixels("svg", { x: left, y: 316, width: 180, height: 104, viewBox: view.join(" ") }).innerHTML = content;
+      sketch.pixels("svg", { x: left, y: 316, width: 180, height: 104, viewBox: view.join(" ") }, {}, content);
       sketch.write([left + 90, 308], title, fill, "middle");
     }
     sketch.pixels("rect", { x: 180 - 90 * shrunk, y: 368 - 52 * shrunk, width: 180 * shrunk, height: 104 * shrunk }, { stroke: color.purple, width: 2, dashes: "6 3" });

@@ -26,6 +26,7 @@ draw = """(async () => {
   await figure.connectedCallback();
   const [shapes, labels] = figure.back.children;
   for (const { place, knob } of figure.handles) if (knob.getAttribute("fill").includes("#24292f")) figure.sketch.mark(place, "given");
+  figure.show();
   for (const element of figure.back.querySelectorAll("*")) {
     for (const [, name, value] of (element.getAttribute("style") ?? "").matchAll(/([a-z-]+): ([^;]+)/g)) element.setAttribute(name, value);
     for (const name of ["style", "class"]) element.removeAttribute(name);
