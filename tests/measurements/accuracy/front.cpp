@@ -22,7 +22,7 @@ using namespace rt;
 namespace {
 
 constexpr Resolution size{.width = 64, .height = 48};
-constexpr double longest = 30;  ///< in units of the default settings' time
+constexpr double longest = 40;  ///< in units of the default settings' time
 constexpr double least_error = 0.7;
 constexpr int deep = 64;
 
@@ -98,7 +98,7 @@ public:
         session_ = f64::make_renderer(program, options);
         traits_ = session_->traits();
         RenderSettings right{.pixel_samples = 1024, .depth = deep};
-        if (traits_.sized_lights) right = with_rays(right, 1);
+        if (traits_.sized_lights) right = with_rays(right, 16 * 32);  // the root of 1,024 is 32
         exact_ = drawn({.settings = right}).image;
         ladders_ = {most_rays(), pixel_errors()};
         if (traits_.sized_lights)
@@ -110,10 +110,8 @@ public:
         for (int count = 1; count <= 256; count *= 4)  // how a mere number of rays compares
             (void)result({.settings = {.pixel_samples = count}}, "cell", true);
         search(4);
-        if (ladders_.size() == 2) {  // with more settings these would take minutes
-            search(2);
-            search(1);
-        }
+        search(2);
+        if (ladders_.size() == 2) search(1);  // with more settings this would take minutes
         for (const Steps& steps : front()) {
             Cell cell = cell_of(steps);
             cell.in_float = true;
@@ -212,14 +210,22 @@ private:
 
     /// The settings tried that no others beat, but for those more accurate than anybody wants.
     [[nodiscard]] std::vector<Steps> front() {
-        for (const Steps& steps : tried_) (void)result(cell_of(steps));
+        std::vector<Steps> too_long;  // and all that are no coarser in any setting
+        std::erase_if(tried_, [&](const Steps& steps) {
+            if (std::ranges::any_of(too_long, [&](const Steps& coarser) {
+                    return std::ranges::equal(coarser, steps, std::less_equal<>());
+                }))
+                return true;
+            if (result(cell_of(steps)).ratio.time > longest) too_long.push_back(steps);
+            return false;
+        });
         std::vector<Steps> best;
         for (const Steps& steps : tried_) {
             const Result& own = result(cell_of(steps));
             if (own.off.error >= least_error && own.ratio.time <= longest &&
                 std::ranges::none_of(results_, [&](const auto& other) {
                     return other.second.ratio.time < own.ratio.time &&
-                           other.second.off.error < own.off.error;
+                           other.second.off.error <= own.off.error;
                 }))
                 best.push_back(steps);
         }
