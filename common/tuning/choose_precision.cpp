@@ -12,7 +12,7 @@ namespace rt {
 namespace {
 
 /// The part of the time of paths that float saves, and of rays to lights, decided many at once.
-constexpr double saved_part = 0.02;
+constexpr double saved_part = 0.06;
 constexpr double saved_part_of_soft = 0.15;
 
 /// The paths of a typical picture through each pixel, and the rays to a light with a size.
