@@ -8,14 +8,10 @@ function(raysteps_add_test name label properties)
 endfunction()
 
 # raysteps_suite_objects(<name> <precision> <source>... [<option of raysteps_target>...]): objects of test
-# cases, which start from the kit's precompiled header, or that of another library, ${suite_headers}_f32
-# or _f64.
+# cases, which start from the kit's precompiled header.
 function(raysteps_suite_objects name precision)
-    if(NOT suite_headers)
-        set(suite_headers raysteps_kit)
-    endif()
     raysteps_target(${name} OBJECT SOURCES ${ARGN} OPTIONS ${quickly}
-        LIBRARIES raysteps_kit_${precision}_options HEADERS ${suite_headers}_${precision})
+        LIBRARIES raysteps_kit_${precision}_options HEADERS raysteps_kit_${precision})
 endfunction()
 
 # raysteps_link_suite(<program> <objects> <part>... [<option of raysteps_target>...]): the program of
