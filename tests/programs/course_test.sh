@@ -323,6 +323,7 @@ says "Look at intersect."
 sed "$in_intersect __builtin_trap();/" $stage/reference/sphere.cpp > $mine
 course 1 check 3
 says "your code crashed: "
+says "The line: ./course debug 3."
 [ "$(grep -c '✗' out)" = 1 ] || fail "cases that were not run are not listed"
 
 # The output cannot be written; a foreign file has the picture's name.

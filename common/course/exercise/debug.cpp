@@ -9,6 +9,7 @@
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
 #include "common/system/terminal.hpp"
+#include "common/system/wrap.hpp"
 
 #include <cstdio>
 #include <cstdlib>
@@ -96,8 +97,8 @@ long prepare(const std::string& target, const std::string& case_name) {
         throw InputError({},
                          tr("the case passes with this file: ./course check tests the file again"));
     if (ending.out_of_time)
-        std::puts(tr("The case does not end: Ctrl-C stops it where it is, and backtrace shows how "
-                     "it came there.")
+        std::puts(wrapped(tr("The case does not end: Ctrl-C stops it where it is, and backtrace "
+                             "shows how it came there."))
                       .c_str());
     return calls;
 }
@@ -149,7 +150,7 @@ int debug(int stage, const std::string& words, bool starts) {
         calls > 0 ? tr("The debugger stops in your function, in the last call before the failure. "
                        "Then: next, step, print NAME, backtrace, quit.")
                   : tr("The debugger stops where the program ends.");
-    std::printf("%s%s\n%s\n", tr(chosen.name).c_str(), remark.c_str(), stop.c_str());
+    std::printf("%s\n%s\n", wrapped(tr(chosen.name) + remark).c_str(), wrapped(stop).c_str());
     std::fflush(stdout);
     return starts ? run_process(debugger_of(calls)) : 0;
 }

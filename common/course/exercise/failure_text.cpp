@@ -121,6 +121,11 @@ bool is_for_later(const std::string& line) {
     return line.starts_with("  paste: ") || line.starts_with("  random: ");
 }
 
+/// True for a sentence after the answer, "  which has a hit at t = …": an entry without a label.
+bool is_sentence(const std::string& line) {
+    return starts_entry(line) && line.substr(0, line.find(' ', 2)).find(':') == std::string::npos;
+}
+
 }  // namespace
 
 std::string with_digits(const std::string& text, int digits) {
@@ -148,7 +153,7 @@ std::vector<std::string> failure_lines(const std::string& failure, bool complete
         if (starts_answer(line))
             shown.push_back(with_digits(without_casts(line), digits));
         else
-            shown.push_back(is_call ? brief_code(line) : line);
+            shown.push_back(is_call || is_sentence(line) ? brief_code(line) : line);
     }
     return shown;
 }

@@ -272,10 +272,11 @@ std::string line(const std::string& whose, const std::string& words) {
     return (whose.empty() ? label : styled(label, Style::bold)) + words + "\n";
 }
 
+constexpr int digits_shown = 7;
+
 /// With fewer digits, and the names of quantities in the reader's language.
 std::string shortened(const std::string& text) {
-    constexpr int digits = 7;
-    return tr_line(with_digits(text, digits));
+    return tr_line(with_digits(text, digits_shown));
 }
 
 std::string lines(const LogRow& row) {
@@ -335,7 +336,8 @@ std::string text(const LogDiff& diff, const std::string& all) {
     constexpr int most = 24;
     int room = all.empty() ? std::numeric_limits<int>::max() : most;
     int left_out = 0;
-    left_out += keep(shown, tr("The first difference: {what}", {{"what", diff.first}}), room);
+    const std::string first = with_digits(diff.first, digits_shown);
+    left_out += keep(shown, tr("The first difference: {what}", {{"what", first}}), room);
     const std::vector<Section> sections = sections_of(diff);
     const bool answers_differ =
         std::any_of(sections.begin(), sections.end(),

@@ -229,7 +229,10 @@ void show_next_step(const Workbook& workbook, const Findings& findings, bool dra
         const auto unwritten =
             std::find_if(judged.unwritten.begin(), judged.unwritten.end(),
                          [&](const std::string& name) { return names(findings.part, name); });
-        const std::string help = tr("Stuck? ./course hint {stage}", {{"stage", number}});
+        const Values values = {{"stage", number}};
+        const std::string line =
+            findings.judgment.ended() ? "" : tr("The line: ./course debug {stage}.", values) + " ";
+        const std::string help = line + tr("Stuck? ./course hint {stage}", values);
         if (unwritten != judged.unwritten.end())
             std::printf(
                 "%s\n%s\n",

@@ -87,6 +87,9 @@ TEST_CASE("the first difference comes first with its section, and equal sections
     // The section of the first difference is before one that only the student's log has.
     CHECK(text(compare_logs("A\n  t = 1\nB\n  t = 2\n", "B\n  t = 3\n"))
               .starts_with("The first difference: t, of B\n          B\n"));
+    const std::string third = "S{.r = Real(0.3333333333333333)}\n";
+    CHECK(text(compare_logs(third + "  t = 1\n", third + "  t = 2\n"))
+              .starts_with("The first difference: t, of S{.r = Real(0.3333333)}\n"));
 }
 
 TEST_CASE("an explanation is short unless all of it is asked for") {

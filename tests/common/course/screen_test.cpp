@@ -125,6 +125,10 @@ TEST_CASE("answers have the digits that tell them apart; lines for later are lef
     CHECK(
         failure_lines("a color\n  scene:    save it\n              sp 0,0,-5.000000001 2\n", false)
             .back() == "              sp 0,0,-5.000000001 2");
+    const std::string occluded =
+        "f(x)\n  got:      Ray{}\n  which has a hit at t = 2.4427349276681122e-17 with Sphere{}\n";
+    CHECK(failure_lines(occluded, false).back() ==
+          "  which has a hit at t = 2.442735e-17 with Sphere{}");
     CHECK(length_of_call(failure) == 13);
 }
 
