@@ -41,7 +41,7 @@ class Page(HTMLParser):
             self.links.append(attributes["href"])
         if tag in {"img", "script"} and attributes.get("src"):
             self.loaded.append(attributes["src"])
-        if tag == "link" and attributes.get("rel") in {"stylesheet", "icon", "modulepreload"}:
+        if tag == "link" and attributes.get("rel") in {"stylesheet", "icon", "modulepreload", "preload"}:
             self.loaded.append(attributes["href"])
         if tag == "img":
             self.pictures += 1

@@ -326,8 +326,8 @@ def on_page_content(html, page, config, files):
         if scene:
             scenes_in_pages.add(scene)
         stage = f' stage="{int(page.file.name[4:6])}" scene="{scene}"' if scene else ""
-        return (f'<rt-{name}{stage}>{picture}</rt-{name}>\n'
-                f'<script type="module" src="{to_root(page)}figures/{name}.js"></script>')
+        script = f'<script type="module" src="{to_root(page)}figures/{name}.js"></script>' if scene else ""
+        return f"<rt-{name}{stage}>{picture}</rt-{name}>\n{script}"
 
     html = re.sub(r"(<p><img [^>]*></p>)\s*<!-- figure: ([\w-]+)(?: scenes/(\S+\.rt))? -->", figure, html)
     if page.file.src_path.startswith("mistakes/"):  # whose table of contents has a link to each
@@ -413,6 +413,20 @@ def with_legible_cells(html):
     return re.sub(r"<th([^>]*)></th>", r"<td\1></td>", html)
 
 
+def with_figures(head, article, page):
+    """The head of a page begins with its figures, which run before the page is whole. It names what they load, and the fonts
+    of formulas: browsers would find one in the other."""
+    figures = list(dict.fromkeys(re.findall(r"<rt-(?!picture)(\w+)", article)))
+    if not figures:
+        return head
+    root = to_root(page)
+    imports = ";".join(f'await import("{root or "./"}figures/{name}.js")' for name in figures)
+    links = [f"modulepreload href={root}figures/{name}.js" for name in [*figures, "drawing", "engine", "words", "content", "mine"]]
+    links += [f"preload as=fetch crossorigin href={root}figures/{name}" for name in ["engine_double.wasm", *([] if is_english else [f"{language}.json"])]]
+    links += [f"preload as=font crossorigin href={root}book/katex/fonts/KaTeX_{name}.woff2" for name in ["Main-Regular", "Math-Italic"]]
+    return head.replace("<link", f"<script>(async()=>{{{imports}}})()</script>" + "".join(f"<link rel={link}>" for link in links) + "<link", 1)
+
+
 def address_in(other, page):
     """The same page in another language, or the home page if it is not translated."""
     path = "README.md" if page.file.src_path == "index.md" else f"docs/{page.file.src_path}"
@@ -444,7 +458,7 @@ def on_post_page(output, page, config):
     contents = head[head.rfind('<nav class="md-nav md-nav--secondary"'):head.rfind("</nav>")]
     if head.count(contents) == 2:
         head = re.sub(r'<input[^>]* id="__toc"><label class="md-nav__link.*?</label>', "", head.replace(contents + "</nav>", "", 1), flags=re.S)
-    return head + typesetter.typeset(with_legible_cells(with_joined_lines(with_breaks(article))), page) + foot
+    return with_figures(head, article, page) + typesetter.typeset(with_legible_cells(with_joined_lines(with_breaks(article))), page) + foot
 
 
 def build_other_languages(site):
@@ -486,7 +500,7 @@ def on_post_build(config):
                     ignore=lambda folder, names: [n for n in names if not used_font.fullmatch(n)])
     (site / "figures").mkdir(exist_ok=True)
     for script in live.glob("*.js"):
-        shutil.copy(script, site / "figures")
+        (site / "figures" / script.name).write_text(re.sub(r"(?m)^ *(//.*\n)?", "", script.read_text(encoding="utf-8")), encoding="utf-8")
     for module in engine.glob("*.wasm"):
         pack(module.read_bytes(), site / "figures" / module.name)
     for each in languages:

@@ -356,8 +356,8 @@ export class Figure extends HTMLElement {
         [this.asked, this.differences, this.own] = [[], new Set(), 0];
         [this.sketch.group, this.sketch.labels] = [[], []];
         const rows = await this.draw(this.sketch);
-        this.show();
         (this.handles ?? []).forEach((handle) => handle.show());
+        this.show();
         if (!this.moving || this.table.parentElement.open) this.#tell([...rows, ...Array.from(this.differences, (text) => ["≠", text, "differs"])]);
       }
     } finally {

@@ -46,8 +46,8 @@ define("triangle_shared_edge", class extends Figure {
     for (const [x, y] of cells.purple ?? []) sketch.pixels("path", { d: `M${x + 1} ${y + 1}l6 6m0 -6l-6 6` }, { stroke: color.white });
     const all = (2 * reach + 1) ** 2;
     ["the reference", "three half-planes"].forEach((name, form) => {
-      sketch.write([left[form] + 68, 38], name, color.ink, "middle");
-      sketch.write([left[form] + 68, 60], `lost: ${lost[form]} of ${all}`, lost[form] ? color.purple : color.ink, "middle");
+      sketch.write([left[form] + 58 + 10 * form, 38], name, color.ink, "middle");
+      sketch.write([left[form] + 58 + 10 * form, 60], `lost: ${lost[form]} of ${all}`, lost[form] ? color.purple : color.ink, "middle");
     });
     ["blue, green: one triangle", "gray: both", "with a cross: neither, a crack"].forEach((text, i) => sketch.write([480, 232 + 22 * i], text, i === 2 ? color.purple : color.ink, "middle"));
     return [["cracks with intersect", `${lost[0]} of ${all} rays`], ["cracks with three half-planes (MRT §5)", `${lost[1]} of ${all} rays`]];
