@@ -35,7 +35,7 @@ const std::vector<File> tables = {
     {"mirrors", "mirrors", {"mirrors"}, 3, 8, true},
     {"meshes", "decimation", {"decimation"}, 3, 4, true},
     {"pixels", "pixels", {"pixels"}, 1, 80, true},
-    {"front", "front", {"front"}, 1, 180, true},
+    {"front", "front", {"front"}, 1, 650, true},
     {"sources", "sources", {"sources"}, 1, 60, true},
     {"pictures", "pictures", {"pictures"}, 3, 18, true},
     {"memory", "memory", {"memory_float", "memory_double"}, 1, 1, true},
