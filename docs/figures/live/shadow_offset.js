@@ -21,14 +21,15 @@ define("shadow_offset", class extends Figure {
 
   /// What is seen of a point: "lit" or "dark", by the ball; or "own", blocked by its own shape.
   async fate(way, ball, ground, own) {
-    const hits = async (stage, shape) => (await this.ask(stage, "intersect", way.ray, shape, way.interval)) !== null;
-    const by_ball = await hits(3, ball), by_ground = await hits(4, ground);
+    const by_ball = (await this.ask(3, "intersect", way.ray, ball, way.interval)) !== null;
+    const by_ground = (await this.ask(4, "intersect", way.ray, ground, way.interval)) !== null;
     return (own === "ball" ? by_ball : by_ground) ? "own" : by_ball || by_ground ? "dark" : "lit";
   }
 
   /// Points of a scene of this size: their places, and their fates by `shadow_ray` and by a fixed epsilon.
   async points(size) {
     const all = [], shown = this.together ? 45 : 90;  // of each kind
+    const surfaces = ((this.surfaces ??= {})[`${this.engine.precision} ${size} ${shown}`] ??= []);  // which the light does not change
     const light = times(size, [this.light.place[0], this.light.place[1], 0.3]);
     const ball = { center: times(size, [0.1, 1, 0]), radius: size }, ground = { point: [0, 0, 0], normal: [0.02, 1, 0.01] };
     for (let i = 0; i < 2 * shown; ++i) {
@@ -36,7 +37,7 @@ define("shadow_offset", class extends Figure {
       const angle = 2 * Math.PI * share, x = 5.2 * share - 2.5;
       const origin = times(size, own === "ball" ? [0.1 + 3 * Math.cos(angle), 1 + 3 * Math.sin(angle), 0.11] : [x, 0.9, 2.7]);
       const target = times(size, own === "ball" ? [0.1, 1, 0.11] : [x, 0, 0]);
-      const surface = await this.ask(0, "shade", { origin, direction: minus(target, origin) }, own === "ball" ? ball : ground);
+      const surface = (surfaces[i] ??= await this.ask(0, "shade", { origin, direction: minus(target, origin) }, own === "ball" ? ball : ground));
       if (surface === null) continue;
       // Points that face away from the light are dark without a shadow ray.
       const facing = surface.geometric_normal.reduce((sum, value, k) => sum + value * (light[k] - surface.point[k]), 0) > 0;
