@@ -121,13 +121,13 @@ Verdict nothing_behind_is_hit(Draw draw) {
 template <class Draw>
 Verdict close_surfaces_are_hit(Draw draw) {
     return for_all([draw](Random& random) {
-        const auto [shape, point, normal] = draw(random);
+        const auto sample = draw(random);
         const Real gap = std::ldexp(Real(1), sizeof(Real) == sizeof(float) ? -10 : -20);
-        const Vec3 away = random.coin() ? normal : -normal;
-        const Ray ray{.origin = point + gap * away, .direction = -away};
-        const std::optional<Real> t = intersect(ray, shape, {});
+        const Vec3 away = random.coin() ? sample.normal : -sample.normal;
+        const Ray ray{.origin = sample.point + gap * away, .direction = -away};
+        const std::optional<Real> t = intersect(ray, sample.shape, {});
         return verdict(t && std::abs(*t - gap) < gap / 8,
-                       intersection_report(ray, shape, {}, t, gap));
+                       [&] { return intersection_report(ray, sample.shape, {}, t, gap); });
     });
 }
 
@@ -135,13 +135,13 @@ Verdict close_surfaces_are_hit(Draw draw) {
 template <class Draw>
 Verdict far_shapes_are_hit(Draw draw) {
     return for_all([draw](Random& random) {
-        const auto [near, shape, t, point, normal] = aimed_from_outside(draw(random), random);
-        const Real farther = std::ldexp(Real(1), sizeof(Real) == sizeof(float) ? 4 : 14);
-        const Ray ray{.origin = point - farther * t * near.direction, .direction = near.direction};
-        const std::optional<Real> got = intersect(ray, shape, {});
-        const Real expected = farther * t;
+        const auto near = aimed_from_outside(draw(random), random);
+        const Real expected = std::ldexp(Real(1), sizeof(Real) == sizeof(float) ? 4 : 14) * near.t;
+        const Vec3 direction = near.ray.direction;
+        const Ray ray{.origin = near.point - expected * direction, .direction = direction};
+        const std::optional<Real> got = intersect(ray, near.shape, {});
         return verdict(got && std::abs(*got - expected) < std::sqrt(epsilon) * expected,
-                       intersection_report(ray, shape, {}, got, expected));
+                       [&] { return intersection_report(ray, near.shape, {}, got, expected); });
     });
 }
 

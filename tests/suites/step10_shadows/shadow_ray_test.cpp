@@ -36,13 +36,13 @@ Verdict occluded(const ShadingPoint& surface, Vec3 light, const Shape& shape, bo
     const std::optional<Real> t = intersect(way.ray, shape, way.interval);
     const std::string name = expected ? "in_the_way" : "not_in_the_way";
     const bool is_way = way.interval.min < way.interval.max && way.ray.direction != Vec3(0);
-    return verdict(
-        is_way && t.has_value() == expected,
-        ray_report(surface, light, way) + "\n  which has " + got_text(t) + " with " + code(shape) +
-            "\n  expected: " +
-            (expected ? "a hit" : "no hit, min < max, and a direction that is not zero") +
-            "\n  paste:    CHECK(" + name + "(" + code(surface) + ", Vec3" + code(light) + ", " +
-            code(shape) + "));");
+    return verdict(is_way && t.has_value() == expected, [&] {
+        return ray_report(surface, light, way) + "\n  which has " + got_text(t) + " with " +
+               code(shape) + "\n  expected: " +
+               (expected ? "a hit" : "no hit, min < max, and a direction that is not zero") +
+               "\n  paste:    CHECK(" + name + "(" + code(surface) + ", Vec3" + code(light) + ", " +
+               code(shape) + "));";
+    });
 }
 
 /// The shape throws its shadow on the surface.
@@ -148,10 +148,12 @@ Verdict starts_off(const ShadingPoint& surface, Vec3 light) {
     const ShadowRay way = shadow_ray(surface, light);
     const Vec3 away = way.ray.origin - surface.point;
     const Real above = dot(away, surface.geometric_normal);
-    return verdict(above >= Real(0.9999) * surface.error && length(away) <= 10 * surface.error,
-                   ray_report(surface, light, way) + "\n  which starts " + text(above) +
-                       " above the face\n  expected: above by surface.error = " +
-                       text(surface.error) + " or a little more");
+    return verdict(
+        above >= Real(0.9999) * surface.error && length(away) <= 10 * surface.error, [&] {
+            return ray_report(surface, light, way) + "\n  which starts " + text(above) +
+                   " above the face\n  expected: above by surface.error = " + text(surface.error) +
+                   " or a little more";
+        });
 }
 
 /// True if a light above the flat face is seen from the surface, which lies on a plane.

@@ -26,19 +26,20 @@ ShadingPoint flat(const Ray& ray, Vec3 normal, Real error = 64 * unit_roundoff) 
 /// The reflected ray has this direction; `keeps_length` tests its length.
 Verdict sends(const Ray& ray, const ShadingPoint& surface, Vec3 expected) {
     const Vec3 got = mirrored(ray, surface).direction;
-    return verdict(close(unit(got), unit(expected)),
-                   question(ray, surface) + ".direction\n  got:      " + text(got) +
-                       "\n  expected: " + text(expected) + "\n  paste:    CHECK(sends(" +
-                       code(ray) + ", " + code(surface) + ", " + code(expected) + "));");
+    return verdict(close(unit(got), unit(expected)), [&] {
+        return question(ray, surface) + ".direction\n  got:      " + text(got) +
+               "\n  expected: " + text(expected) + "\n  paste:    CHECK(sends(" + code(ray) + ", " +
+               code(surface) + ", " + code(expected) + "));";
+    });
 }
 
 Verdict keeps_length(const Ray& ray, const ShadingPoint& surface) {
     const Vec3 got = mirrored(ray, surface).direction;
-    return verdict(as_long(got, ray.direction),
-                   question(ray, surface) + ".direction\n  got:      " + text(got) +
-                       ", of length " + text(length(got)) + "\n  expected: the length of d, " +
-                       text(length(ray.direction)) + "\n  paste:    CHECK(keeps_length(" +
-                       code(ray) + ", " + code(surface) + "));");
+    return verdict(as_long(got, ray.direction), [&] {
+        return question(ray, surface) + ".direction\n  got:      " + text(got) + ", of length " +
+               text(length(got)) + "\n  expected: the length of d, " + text(length(ray.direction)) +
+               "\n  paste:    CHECK(keeps_length(" + code(ray) + ", " + code(surface) + "));";
+    });
 }
 
 /// The ray sent on starts above the surface, by surface.error, and by not much more.
@@ -47,24 +48,25 @@ Verdict starts_off(const Ray& ray, const ShadingPoint& surface) {
     const Real rounding = 4 * epsilon * (length(surface.point) + surface.error);
     const bool above = dot(away, surface.geometric_normal) >= surface.error - rounding;
     const bool near = length(away) <= 4 * surface.error + rounding;
-    return verdict(
-        above && near,
-        question(ray, surface) + ".origin\n  got:      " +
-            text(dot(away, surface.geometric_normal)) + " above the face, " + text(length(away)) +
-            " from surface.point\n  expected: above by surface.error = " + text(surface.error) +
-            " or a little more" + "\n  paste:    CHECK(starts_off(" + code(ray) + ", " +
-            code(surface) + "));");
+    return verdict(above && near, [&] {
+        return question(ray, surface) +
+               ".origin\n  got:      " + text(dot(away, surface.geometric_normal)) +
+               " above the face, " + text(length(away)) +
+               " from surface.point\n  expected: above by surface.error = " + text(surface.error) +
+               " or a little more" + "\n  paste:    CHECK(starts_off(" + code(ray) + ", " +
+               code(surface) + "));";
+    });
 }
 
 /// The reflected ray leaves the face.
 Verdict goes_away(const Ray& ray, const ShadingPoint& surface) {
     const Vec3 got = mirrored(ray, surface).direction;
-    return verdict(
-        dot(got, surface.geometric_normal) > 0,
-        question(ray, surface) + ".direction\n  got:      " + text(got) + ", " +
-            text(dot(got, surface.geometric_normal)) + " along surface.geometric_normal" +
-            "\n  expected: away from the face: more than 0 along surface.geometric_normal" +
-            "\n  paste:    CHECK(goes_away(" + code(ray) + ", " + code(surface) + "));");
+    return verdict(dot(got, surface.geometric_normal) > 0, [&] {
+        return question(ray, surface) + ".direction\n  got:      " + text(got) + ", " +
+               text(dot(got, surface.geometric_normal)) + " along surface.geometric_normal" +
+               "\n  expected: away from the face: more than 0 along surface.geometric_normal" +
+               "\n  paste:    CHECK(goes_away(" + code(ray) + ", " + code(surface) + "));";
+    });
 }
 
 /// A ray, and a flat surface that it hits from the side of the normal.
@@ -87,9 +89,10 @@ Seen draw_seen(Random& random) {
 /// A ray from before the mirror is reflected to the same side.
 Verdict comes_back(const Ray& ray, const ShadingPoint& surface) {
     const Vec3 got = mirrored(ray, surface).direction;
-    return verdict(dot(got, surface.geometric_normal) > 0,
-                   question(ray, surface) + ".direction\n  got:      " + text(got) +
-                       "\n  expected: away from the mirror");
+    return verdict(dot(got, surface.geometric_normal) > 0, [&] {
+        return question(ray, surface) + ".direction\n  got:      " + text(got) +
+               "\n  expected: away from the mirror";
+    });
 }
 
 /// An interpolated normal sends the ray away just above the face, or would send it just below.
