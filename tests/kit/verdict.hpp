@@ -29,16 +29,21 @@ struct Verdict {
     explicit operator bool() const { return holds; }
 };
 
-/// Passes, or fails with a sentence: a text, or a function that returns it, for what is asked in
-/// thousands of random cases. To write what nobody reads took two thirds of a suite's time.
+/// The text, or what the function returns. A suite asks thousands of random questions, and only a
+/// failure needs its text.
+template <class Text>
+std::string written(const Text& sentence) {
+    if constexpr (std::is_invocable_v<Text>)
+        return sentence();
+    else
+        return sentence;
+}
+
+/// Passes, or fails with a sentence, which is a text or a function that returns one.
 template <class Sentence>
 Verdict verdict(bool holds, const Sentence& sentence) {
     if (holds) return {};
-    Verdict failed{.holds = false};
-    if constexpr (std::is_invocable_v<Sentence>)
-        failed.sentence = sentence();
-    else
-        failed.sentence = sentence;
+    Verdict failed{.holds = false, .sentence = written(sentence)};
     failures_of_case.add(failed.sentence);
     return failed;
 }
@@ -101,21 +106,20 @@ Verdict misses(const Ray& ray, const Shape& shape, Interval interval = {}) {
                    [&] { return intersection_report(ray, shape, interval, got, std::nullopt); });
 }
 
-/// A value that should equal the expected one; `what` is the call that returned it.
-template <class Value>
-Verdict gives(const std::string& what, Value got, Value expected) {
-    return verdict(close(got, expected),
-                   what + "\n  got:      " + text(got) + "\n  expected: " + text(expected));
+/// A value that should equal the expected one; `what` is the call that returned it, a text or a
+/// function that returns one.
+template <class What, class Value>
+Verdict gives(const What& what, Value got, Value expected) {
+    return verdict(close(got, expected), [&] {
+        return written(what) + "\n  got:      " + text(got) + "\n  expected: " + text(expected);
+    });
 }
 
 /// normal(shape, point) is unit length and points where it should.
 template <class Shape>
 Verdict normal_is(const Shape& shape, Vec3 point, Vec3 expected) {
-    const Vec3 got = normal(shape, point);
-    return verdict(close(got, expected), [&] {
-        return "normal(" + code(shape) + ", " + code(point) + ")\n  got:      " + text(got) +
-               "\n  expected: " + text(expected);
-    });
+    return gives([&] { return "normal(" + code(shape) + ", " + code(point) + ")"; },
+                 normal(shape, point), expected);
 }
 
 }  // namespace rt
