@@ -20,6 +20,9 @@ raysteps_find(PNG libpng-dev)
 raysteps_find(CLI11 libcli11-dev)
 set(THREADS_PREFER_PTHREAD_FLAG ON)
 find_package(Threads REQUIRED)
+# Only stage 13 needs OpenMesh. `./course` unpacks it where it is not installed. Its targets, with the
+# place of its headers, are known in the folder of this call and below.
+find_package(OpenMesh QUIET PATHS ${PROJECT_BINARY_DIR}/openmesh/usr)
 
 add_library(raysteps_options INTERFACE)
 target_include_directories(raysteps_options INTERFACE ${PROJECT_SOURCE_DIR})
