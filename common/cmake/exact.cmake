@@ -12,7 +12,7 @@ function(raysteps_exact name)
 endfunction()
 
 # raysteps_common_f64 with packed meshes of certified triangles.
-file(GLOB RAYSTEPS_EXACT_MESH_BVH CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/steps/*/exact/mesh_bvh.cpp)
+file(GLOB RAYSTEPS_EXACT_MESH_BVH ${PROJECT_SOURCE_DIR}/steps/*/exact/mesh_bvh.cpp)
 set(common ${PROJECT_SOURCE_DIR}/common)
 if(RAYSTEPS_EXACT_MESH_BVH)  # a hand-out has no kernels
     raysteps_exact(raysteps_exact_mesh_bvh ${common}/bvh/mesh_bvh.cpp ${RAYSTEPS_EXACT_MESH_BVH})
