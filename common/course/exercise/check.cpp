@@ -23,6 +23,7 @@
 #include <cstdio>
 #include <ctime>
 #include <functional>
+#include <future>
 #include <utility>
 #include <vector>
 
@@ -32,32 +33,6 @@ namespace {
 
 /// Below the result: the picture, the next step, and a prompt or the keys of `watch`.
 constexpr int rows_of_rest = 8;
-
-struct Built {
-    std::string error;     ///< the first one; empty if there is none
-    bool in_float = true;  ///< also the suites in float
-};
-
-/// Builds the suites in both precisions, and the program for the picture. Calls `double_is_right`
-/// as soon as the suites in double are built, while the rest of the build goes on. The first time,
-/// the rest is large: it waits for that, and float for a right answer in double.
-Built built(const Workbook& workbook, const std::function<bool()>& double_is_right) {
-    const std::string name(stage_name(workbook.stage()));
-    const std::string in_double = name + "_suites_double";
-    bool is_right = false;
-    const auto done = [&](const std::string& edge) {
-        if (edge == in_double) is_right = double_is_right();
-    };
-    const bool is_first = !std::filesystem::exists(build_folder / (name + "_test_float"));
-    std::vector<std::string> targets = {in_double};
-    Build build{.succeeded = true};
-    if (is_first) build = try_build(std::exchange(targets, {}), done);
-    const bool in_float = !is_first || is_right;
-    if (in_float) targets.push_back(name + "_suites_float");
-    targets.push_back(name + "_checked");
-    if (build.succeeded) build = try_build(targets, done);
-    return {build.succeeded ? "" : first_error(build.output), in_float};
-}
 
 /// Returns whether a part with a case that fails is written.
 bool is_any_written(const Judged& judged) {
@@ -72,7 +47,6 @@ bool is_any_written(const Judged& judged) {
 /// Runs the suite, and then the suite of `trace`, which is linked to the references' functions, so
 /// that no mistake in a function is one of `trace`.
 Judged judge(const Workbook& workbook, const std::string& word) {
-    const StatusLine status(tr("testing in {precision} …", {{"precision", word}}));
     const std::string name(stage_name(workbook.stage()));
     Judged judged{.suite = run_suite(name + "_test_" + word)};
     judged.unwritten = unwritten_in(judged.suite.output);
@@ -84,6 +58,48 @@ Judged judge(const Workbook& workbook, const std::string& word) {
         if (of_trace.ended.empty()) judged.of_trace = of_trace.cases;
     }
     return judged;
+}
+
+/// A judgment that is under way.
+using Pending = std::shared_future<Judged>;
+
+/// Waits for the judgment. Throws what `judge` throws.
+const Judged& result(const Pending& pending) {
+    const StatusLine status(tr("testing …"));
+    return pending.get();
+}
+
+/// The judgments in both precisions, each under way since its suites were built.
+struct Begun {
+    Pending in_double = {};
+    Pending in_float = {};   ///< may be none
+    std::string error = {};  ///< the build's first one; empty if there is none
+};
+
+/// Builds the suites in both precisions, and the program for the picture. The first time, all but
+/// the suites in double is large: it waits for a judgment in double, and float for a right answer.
+Begun begin_judgments(const Workbook& workbook) {
+    const std::string name(stage_name(workbook.stage()));
+    const std::string in_double = name + "_suites_double";
+    const std::string in_float = name + "_suites_float";
+    Begun begun;
+    const auto judgment = [&workbook](const char* word) {
+        return std::async(std::launch::async, judge, std::cref(workbook), word).share();
+    };
+    const auto done = [&](const std::string& edge) {
+        if (edge == in_double) begun.in_double = judgment("double");
+        if (edge == in_float) begun.in_float = judgment("float");
+    };
+    const bool is_first = !std::filesystem::exists(build_folder / (name + "_test_float"));
+    std::vector<std::string> targets = {in_double};
+    Build build{.succeeded = true};
+    if (is_first) build = try_build(std::exchange(targets, {}), done);
+    if (!is_first || (build.succeeded && result(begun.in_double).right()))
+        targets.push_back(in_float);
+    targets.push_back(name + "_checked");
+    if (build.succeeded) build = try_build(targets, done);
+    if (!build.succeeded) begun.error = first_error(build.output);
+    return begun;
 }
 
 std::string now() {
@@ -135,16 +151,17 @@ void remember(const Findings& findings, const std::string& files, Workbook& work
 
 /// The findings, once everything is built; without a judgment in float if double has a crash, which
 /// float would have, too.
-Findings examine(const Workbook& workbook, Judged in_double, bool float_is_built) {
+Findings examine(const Workbook& workbook, const Begun& begun) {
     const int stage = workbook.stage();
+    const Judged& in_double = result(begun.in_double);
     std::optional<Judged> in_float;
-    if (float_is_built && in_double.suite.ended.empty()) in_float = judge(workbook, "float");
+    if (begun.in_float.valid() && in_double.suite.ended.empty()) in_float = result(begun.in_float);
     Diagnosis diagnosis;
     if (in_double.functions_are_wrong || (in_float && in_float->functions_are_wrong))
         diagnosis =
             diagnosis_of(stage, report_of(name_of(stage) + "_test_double"), in_double.unwritten);
     add_trace_mistakes(stage, in_double, diagnosis);
-    return findings_of(stage, {std::move(in_double), std::move(in_float)}, std::move(diagnosis));
+    return findings_of(stage, {in_double, std::move(in_float)}, std::move(diagnosis));
 }
 
 }  // namespace
@@ -155,14 +172,11 @@ int check(int stage, bool complete) {
     read_project_translations(step_path(stage, "sentences"));
     choose_reference("");
     const std::string files = workbook.fingerprint();
-    Judged in_double;
-    const auto [error, in_float] = built(workbook, [&] {
-        in_double = judge(workbook, "double");
-        return in_double.right();
-    });
-    if (!error.empty()) {
-        if (!in_double.suite.cases.empty()) {
-            const Findings findings = findings_of(stage, {std::move(in_double), std::nullopt}, {});
+    const Begun begun = begin_judgments(workbook);
+    if (const std::string& error = begun.error; !error.empty()) {
+        if (begun.in_double.valid() && !result(begun.in_double).suite.cases.empty()) {
+            const Findings findings =
+                findings_of(stage, {result(begun.in_double), std::nullopt}, {});
             const int rows = show_verdict(stage, findings, complete);
             show_failure(stage, findings, complete,
                          rows + int(lines_of(wrapped_diagnostic(error)).size()));
@@ -170,7 +184,7 @@ int check(int stage, bool complete) {
         std::fputs(wrapped_diagnostic(error).c_str(), stdout);
         return 1;
     }
-    const Findings findings = examine(workbook, std::move(in_double), in_float);
+    const Findings findings = examine(workbook, begun);
     remember(findings, files, workbook);
     const int rows = show_verdict(stage, findings, complete);
     const std::string below = warnings_of(workbook) + references_used(stage);
