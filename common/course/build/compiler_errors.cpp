@@ -12,25 +12,34 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// "…/steps/step05_triangle/student/triangle.cpp:12:5: error: …", wherever the project is.
-const std::regex diagnostic(R"(([^:]+):(\d+):(\d+): (fatal error|error|warning|note): (.*))");
-const std::regex students_file(R"((?:^|.*/)(steps/step\w+/student/[^:]+))");
-const std::regex projects_file(R"((?:^|.*/)((?:steps|common)/[^:]+))");
-/// A place that the compiler lists in the context of an error: "in instantiation of …".
-const std::regex mention(R"((steps/step\w+/student/[^:/]+\.[a-z]+):(\d+))");
-/// The place where g++ inlined the function of a header to which a diagnostic belongs.
-const std::regex inlined(R"( +inlined from .* at (?:.*/)?(steps/step\w+/student/[^:]+:\d+:\d+).*)");
-/// A value that is not what it seems, which explains a wrong answer; other warnings can wait.
-const std::regex wrong_value(
-    R"(\[-W\S*(uninitialized|dangling|local-addr|stack-address|bounds|lifetime)\S*\])");
-const std::regex undefined(R"(undefined (?:reference to|symbol:) [`']?(.*?)'?$)");
-/// With ld, gold, lld and Apple's, the symbol comes first; with mold, two objects, which may be an
-/// archive's.
-const std::regex duplicate(
-    R"((?:multiple definition of|duplicate symbol:?) (?:\S+\.o\)?: \S+\.o\)?: )?[`']?([^`';]*))");
-/// A student's object, where CMake puts it.
-const std::regex students_object(
-    R"((steps/step\w+)/CMakeFiles/\w+_student_(?:main_)?f\d+\.dir/(student/[^:]+)\.o\b)");
+/// What a line of a compiler's or linker's output says.
+struct Patterns {
+    /// "…/steps/step05_triangle/student/triangle.cpp:12:5: error: …", wherever the project is.
+    std::regex diagnostic{R"(([^:]+):(\d+):(\d+): (fatal error|error|warning|note): (.*))"};
+    std::regex students_file{R"((?:^|.*/)(steps/step\w+/student/[^:]+))"};
+    std::regex projects_file{R"((?:^|.*/)((?:steps|common)/[^:]+))"};
+    /// A place that the compiler lists in the context of an error: "in instantiation of …".
+    std::regex mention{R"((steps/step\w+/student/[^:/]+\.[a-z]+):(\d+))"};
+    /// The place where g++ inlined the function of a header to which a diagnostic belongs.
+    std::regex inlined{R"( +inlined from .* at (?:.*/)?(steps/step\w+/student/[^:]+:\d+:\d+).*)"};
+    /// A value that is not what it seems, which explains a wrong answer; other warnings can wait.
+    std::regex wrong_value{
+        R"(\[-W\S*(uninitialized|dangling|local-addr|stack-address|bounds|lifetime)\S*\])"};
+    std::regex undefined{R"(undefined (?:reference to|symbol:) [`']?(.*?)'?$)"};
+    /// With ld, gold, lld and Apple's, the symbol comes first; with mold, two objects, which may be
+    /// an archive's.
+    std::regex duplicate{
+        R"((?:multiple definition of|duplicate symbol:?) (?:\S+\.o\)?: \S+\.o\)?: )?[`']?([^`';]*))"};
+    /// A student's object, where CMake puts it.
+    std::regex students_object{
+        R"((steps/step\w+)/CMakeFiles/\w+_student_(?:main_)?f\d+\.dir/(student/[^:]+)\.o\b)"};
+};
+
+/// They are compiled for the first line: an output without lines needs none.
+const Patterns& patterns() {
+    static const Patterns all;
+    return all;
+}
 
 /// The diagnostic in line i, with the source lines and carets that follow it, and with the path
 /// relative to the project's folder; empty if it is of another kind or no such file's. Sets i to
@@ -38,7 +47,7 @@ const std::regex students_object(
 std::string diagnostic_at(std::size_t& i, const Lines& lines, const std::string& kind,
                           const std::regex& files) {
     std::smatch match;
-    if (i >= lines.size() || !std::regex_match(lines[i], match, diagnostic)) return "";
+    if (i >= lines.size() || !std::regex_match(lines[i], match, patterns().diagnostic)) return "";
     if (match[4].str().find(kind) == std::string::npos) return "";
     const std::string file = match[1].str();
     std::smatch path;
@@ -55,9 +64,9 @@ std::string diagnostic_at(std::size_t& i, const Lines& lines, const std::string&
 Lines in_students_files(const Lines& lines, const std::string& kind) {
     Lines all;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        const std::string found = diagnostic_at(i, lines, kind, students_file);
+        const std::string found = diagnostic_at(i, lines, kind, patterns().students_file);
         if (found.empty()) continue;
-        const std::string note = diagnostic_at(i, lines, "note", projects_file);
+        const std::string note = diagnostic_at(i, lines, "note", patterns().projects_file);
         all.push_back(found + (note.empty() ? "" : "\n" + note));
         --i;  // the next line may be a diagnostic
     }
@@ -72,13 +81,13 @@ Lines in_inlined_functions(const Lines& lines, const std::string& kind) {
     std::smatch match;
     std::string call;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (std::regex_match(lines[i], match, inlined)) call = match[1].str();
-        if (call.empty() || !std::regex_match(lines[i], match, diagnostic)) continue;
-        if (match[4] == kind && !std::regex_match(match[1].str(), students_file)) {
+        if (std::regex_match(lines[i], match, patterns().inlined)) call = match[1].str();
+        if (call.empty() || !std::regex_match(lines[i], match, patterns().diagnostic)) continue;
+        if (match[4] == kind && !std::regex_match(match[1].str(), patterns().students_file)) {
             all.push_back(call + ": " + kind + ": " + match[5].str());
             while (++i < lines.size() && (lines[i].starts_with(' ') || lines[i].ends_with(':')))
-                if (std::regex_match(lines[i], inlined)) break;
-            const std::string note = diagnostic_at(i, lines, "note", students_file);
+                if (std::regex_match(lines[i], patterns().inlined)) break;
+            const std::string note = diagnostic_at(i, lines, "note", patterns().students_file);
             if (!note.empty()) all.back() += "\n" + note;
             --i;
         }
@@ -92,8 +101,9 @@ std::string led_to(const Lines& lines) {
     std::string place;
     for (const std::string& line : lines) {
         std::smatch match;
-        if (std::regex_search(line, match, mention)) place = match[1].str() + ":" + match[2].str();
-        if (place.empty() || !std::regex_match(line, match, diagnostic)) continue;
+        if (std::regex_search(line, match, patterns().mention))
+            place = match[1].str() + ":" + match[2].str();
+        if (place.empty() || !std::regex_match(line, match, patterns().diagnostic)) continue;
         if (match[4].str().find("error") != std::string::npos)
             return place + ": error: " + match[5].str();
     }
@@ -108,8 +118,10 @@ std::string objects(const Lines& lines, std::size_t first) {
     const bool has_head = first > 0 && lines[first - 1].find(": in function") != std::string::npos;
     for (std::size_t i = has_head ? first - 1 : first;
          i < std::min(first + longest_message, lines.size()); ++i) {
-        if (i > first && std::regex_search(lines[i], duplicate)) break;
-        for (std::sregex_iterator match(lines[i].begin(), lines[i].end(), students_object), end;
+        if (i > first && std::regex_search(lines[i], patterns().duplicate)) break;
+        for (std::sregex_iterator
+                 match(lines[i].begin(), lines[i].end(), patterns().students_object),
+             end;
              match != end; ++match) {
             const std::string file = (*match)[1].str() + "/" + (*match)[2].str();
             if (text.find(file) == std::string::npos) text += (text.empty() ? "" : ", ") + file;
@@ -123,11 +135,11 @@ std::string linker(const Lines& lines) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const std::string& line = lines[i];
         std::smatch match;
-        if (std::regex_search(line, match, undefined))
+        if (std::regex_search(line, match, patterns().undefined))
             return tr("error: nothing defines {symbol}", {{"symbol", match[1].str()}}) + "\n" +
                    tr("Is it written, in namespace rt, with the parameters that the stage's header "
                       "has?");
-        if (!std::regex_search(line, match, duplicate)) continue;
+        if (!std::regex_search(line, match, patterns().duplicate)) continue;
         const std::string symbol = match[1] == "_main" ? "main" : match[1].str();  // Apple's
         const std::string files = objects(lines, i);
         const Values values = {{"symbol", symbol}, {"files", files}};
@@ -168,7 +180,7 @@ std::string first_warning(const std::string& output) {
     all.insert(all.end(), of_headers.begin(), of_headers.end());
     if (all.empty()) return "";
     const auto telling = std::find_if(all.begin(), all.end(), [](const std::string& warning) {
-        return std::regex_search(warning, wrong_value);
+        return std::regex_search(warning, patterns().wrong_value);
     });
     return (telling == all.end() ? all.front() : *telling) + "\n";
 }

@@ -133,7 +133,7 @@ constexpr std::string_view solved = "common/explain/pixel_log_parts.cpp";
 /// include references; tests/mutation, which quotes them; tests/oracle, tests/stability,
 /// steps/…/exact and story.cpp, which contain their formulas; and tests/contract, by which the
 /// grader's suites query a submission.
-const std::regex of_other_folders(  //
+constexpr const char* of_other_folders =
     R"((README(\.\w\w)?\.md|LICENSE|course|CMakeLists\.txt|CMakePresets\.json|\.clang-format|\.gitignore)"
     R"(|\.gitattributes|\.devcontainer/devcontainer\.json|\.vscode/(launch|tasks)\.json)"
     R"(|docs/.*\.(md|svg|png|js))"
@@ -141,7 +141,7 @@ const std::regex of_other_folders(  //
     R"(|scenes/.*\.(rt|obj|off|ply|stl))"
     R"(|steps/[^/]*|steps/step\w*/((?!story\.)[^/]*|starter/.*))"
     R"(|tests/(CMakeLists\.txt|suites/.*|kit/.*|programs/pictures/[^/]*\.png))"
-    R"(|tests/mistakes/\w*/(probes|trace)\.txt))");
+    R"(|tests/mistakes/\w*/(probes|trace)\.txt))";
 
 }  // namespace
 
@@ -149,7 +149,8 @@ bool is_for_students(const std::string& path) {
     if (path.find("/.") != std::string::npos) return false;
     const std::string folder = std::filesystem::path(path).parent_path().string();
     if (std::find(rooms.begin(), rooms.end(), folder) != rooms.end()) return path != solved;
-    return std::regex_match(path, of_other_folders);
+    static const std::regex others(of_other_folders);
+    return std::regex_match(path, others);
 }
 
 namespace {

@@ -22,16 +22,14 @@ namespace {
 constexpr std::chrono::minutes update_time_limit{5};
 constexpr const char* under_way = "Raysteps, half updated: run ./course update again";
 
-/// Places that are never a hand-out's.
-const std::regex not_to_touch(R"(/.*|(.*/)?\.\.(/.*)?|(build|renders|results)/.*)"
-                              R"(|steps/[^/]*/student[^/]*/.*)");
-
 bool is_there(const fs::path& path) {
     return fs::symlink_status(path).type() != fs::file_type::not_found;
 }
 
 /// Refuses an incomplete hand-out, and one for another kind of machine.
 Manifest read_whole(const fs::path& folder) {
+    static const std::regex not_to_touch(
+        R"(/.*|(.*/)?\.\.(/.*)?|(build|renders|results)/.*|steps/[^/]*/student[^/]*/.*)");
     Manifest manifest = read_manifest(folder);
     for (const auto& [path, fingerprints] : manifest.fingerprints) {
         if (std::regex_match(path, not_to_touch))
