@@ -80,11 +80,12 @@ Pixel middle(const std::vector<Pixel>& cluster) {
 
 std::optional<Pixel> center_of_largest(std::vector<bool> set, Resolution size) {
     std::vector<Pixel> largest;
-    for (int row = 0; row < size.height; ++row)
-        for (int column = 0; column < size.width; ++column) {
-            std::vector<Pixel> cluster = take_cluster(set, size, {row, column});
-            if (cluster.size() > largest.size()) largest = std::move(cluster);
-        }
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        if (!set[i]) continue;
+        std::vector<Pixel> cluster =
+            take_cluster(set, size, {int(i) / size.width, int(i) % size.width});
+        if (cluster.size() > largest.size()) largest = std::move(cluster);
+    }
     if (largest.empty()) return std::nullopt;
     return middle(largest);
 }
@@ -152,9 +153,13 @@ Comparison compare(const Image& mine, const Image& reference, int tolerated) {
 
 Image magnified(const Image& image, int times) {
     Image large({image.resolution.width * times, image.resolution.height * times});
-    for (int row = 0; row < large.resolution.height; ++row)
-        for (int column = 0; column < large.resolution.width; ++column)
-            large[{row, column}] = image[{row / times, column / times}];
+    auto next = large.pixels.begin();
+    for (auto row = image.pixels.begin(); row != image.pixels.end();) {
+        const auto wide = next;
+        for (const auto end = row + image.resolution.width; row != end; ++row)
+            next = std::fill_n(next, times, *row);
+        for (int i = 1; i < times; ++i) next = std::copy_n(wide, large.resolution.width, next);
+    }
     return large;
 }
 

@@ -233,3 +233,26 @@ TEST_CASE("a scene is repeated with its options and its pixel") {
     CHECK(six->pixel == "1,2");
     CHECK(six->options.empty());
 }
+
+TEST_CASE("a magnified picture has a square for each pixel") {
+    Image image({3, 2});
+    for (int i = 0; i < 6; ++i) image.pixels[std::size_t(i)] = {std::uint8_t(40 * i), 7, 9};
+    const Image large = magnified(image, 4);
+    REQUIRE(large.resolution.width == 12);
+    REQUIRE(large.resolution.height == 8);
+    for (int row = 0; row < 8; ++row)
+        for (int column = 0; column < 12; ++column)
+            CHECK(large[{row, column}] == image[{row / 4, column / 4}]);
+}
+
+TEST_CASE("the center of a difference is in its largest cluster") {
+    Image reference({8, 6});
+    Image mine = reference;
+    for (const Pixel pixel : {Pixel{0, 7}, {3, 2}, {3, 3}, {3, 4}, {4, 3}, {2, 3}})
+        mine[pixel] = {200, 0, 0};
+    const Comparison comparison = compare(mine, reference);
+    CHECK(comparison.different == 6);
+    REQUIRE(comparison.center);
+    CHECK(comparison.center->row == 3);
+    CHECK(comparison.center->column == 3);
+}
