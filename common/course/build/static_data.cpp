@@ -1,9 +1,7 @@
 #include "common/course/build/static_data.hpp"
 
 #include "common/course/build/project.hpp"
-#include "common/course/build/student_objects.hpp"
 #include "common/system/files.hpp"
-#include "common/system/process.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -54,24 +52,20 @@ std::optional<int> declared_as_variable(const std::string& code, const std::stri
 
 }  // namespace
 
-std::vector<StaticVariable> static_variables(std::string_view listed, std::string_view source) {
+std::vector<StaticVariable> static_variables(const std::vector<Symbol>& symbols,
+                                             std::string_view source) {
     std::vector<StaticVariable> variables;
-    const std::string code = without_comments(source);
-    static const std::regex data(R"((.*\S) *\|[^|]*\| +[bBdDuVC] +\|[^|]*\|[^|]*\|[^|]*\|(.*))");
-    std::smatch match;
-    for (const std::string& line : lines_of(std::string(listed))) {
-        if (!std::regex_match(line, match, data)) continue;
-        const std::string symbol = match[1].str();
-        const std::string section = match[2].str();
-        if (symbol.starts_with("guard variable") || symbol.starts_with("std::")) continue;
-        if (section.find(".rel.ro") != std::string::npos) continue;  // constant once it is loaded
-        const std::string name = name_of_variable(symbol);
+    for (const Symbol& each : symbols) {
+        if (std::string_view("bBdDuVC").find(each.kind) == std::string_view::npos) continue;
+        if (each.name.starts_with("guard variable") || each.name.starts_with("std::")) continue;
+        if (each.section.find(".rel.ro") != std::string::npos) continue;  // constant once loaded
+        const std::string name = name_of_variable(each.name);
         if (name.empty()) continue;
-        if (const auto declared = declared_as_variable(code, name))
+        if (const auto declared = declared_as_variable(without_comments(source), name))
             variables.push_back({.name = name,
                                  .file = {},
                                  .line = *declared,
-                                 .of_each_thread = section.starts_with(".t")});
+                                 .of_each_thread = each.section.starts_with(".t")});
     }
     const auto order = [](const StaticVariable& a, const StaticVariable& b) {
         return a.line != b.line ? a.line < b.line : a.name < b.name;
@@ -84,12 +78,11 @@ std::vector<StaticVariable> static_variables(std::string_view listed, std::strin
     return variables;
 }
 
-std::vector<StaticVariable> static_variables(int stage) {
+std::vector<StaticVariable> static_variables(int stage, const std::vector<CompiledFile>& files) {
     std::vector<StaticVariable> all;
-    for (const CompiledFile& each : compiled_files(stage)) {
-        const ProcessResult listed = run_captured(
-            {"nm", "-C", "--format=sysv", each.object.string()}, std::chrono::seconds(5));
-        for (StaticVariable& found : static_variables(listed.output, read_text(each.file))) {
+    for (const CompiledFile& each : files) {
+        if (each.stage != stage) continue;
+        for (StaticVariable& found : static_variables(each.symbols, read_text(each.file))) {
             found.file = each.file.lexically_relative(project_folder);
             all.push_back(std::move(found));
         }

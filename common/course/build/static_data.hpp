@@ -1,6 +1,8 @@
 // The variables of a student's files that outlive a call.
 #pragma once
 
+#include "common/course/build/student_objects.hpp"
+
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -17,13 +19,13 @@ struct StaticVariable {
     bool of_each_thread = false;
 };
 
-/// Those that a stage's objects contain, as they were last compiled, in the order of their lines.
-[[nodiscard]] std::vector<StaticVariable> static_variables(int stage);
+/// Those of these files that are of the stage, in the order of their lines.
+[[nodiscard]] std::vector<StaticVariable> static_variables(int stage,
+                                                           const std::vector<CompiledFile>& files);
 
-/// Those that nm lists in an object, in its System V format and with names as in the source, and
-/// that this source declares and not as a constant. Constants that are computed when the program
-/// starts are in the same section of an object.
-[[nodiscard]] std::vector<StaticVariable> static_variables(std::string_view listed,
+/// Those that an object has among its symbols, and that its source declares and not as a constant.
+/// Constants that are computed when the program starts are in the same section of an object.
+[[nodiscard]] std::vector<StaticVariable> static_variables(const std::vector<Symbol>& symbols,
                                                            std::string_view source);
 
 }  // namespace rt

@@ -4,7 +4,11 @@
 #include "common/system/files.hpp"
 #include "common/system/process.hpp"
 
+#include <algorithm>
+#include <array>
+#include <iterator>
 #include <set>
+#include <string_view>
 
 namespace rt {
 
@@ -37,35 +41,33 @@ bool is_newer(const fs::path& made, const fs::path& from) {
            fs::last_write_time(made, none) >= fs::last_write_time(from, none);
 }
 
-struct LinkedFile : CompiledFile {
-    /// The functions and variables that other objects can see, without those that may be defined in
-    /// several objects.
-    std::set<std::string> symbols = {};
-};
-
 /// Reads the symbols of all files with one nm: to start it takes longer than to read an object.
-void read_symbols(std::vector<LinkedFile>& files) {
+void read_symbols(std::vector<CompiledFile>& files) {
     constexpr std::size_t most_output = 4'000'000;
-    Command command = {"sh", "-c", "nm -gCA \"$@\" | grep ' [TDBR] '", "nm"};
-    for (const LinkedFile& each : files) command.push_back(each.object.string());
+    Command command = {"nm", "-AC", "--format=sysv"};
+    for (const CompiledFile& each : files) command.push_back(each.object.string());
     const ProcessResult listed = run_captured(command, listing_limit, nullptr, most_output);
     for (const std::string& line : lines_of(listed.output))
-        for (LinkedFile& each : files) {
-            const std::string object = each.object.string() + ":";
-            if (line.rfind(object, 0) != 0) continue;
-            const std::size_t type = line.find_first_not_of(" 0123456789abcdef", object.size());
-            if (type != std::string::npos && type + 2 < line.size())
-                each.symbols.insert(line.substr(type + 2));
-        }
+        for (CompiledFile& each : files)
+            if (const std::string object = each.object.string() + ":"; line.starts_with(object))
+                if (const auto symbol = read_symbol(line.substr(object.size())))
+                    each.symbols.push_back(*symbol);
 }
 
-/// The student's files of all stages that were compiled since they changed.
-std::vector<LinkedFile> linked_files() {
-    std::vector<LinkedFile> files;
-    for (int stage = 1; stage <= int(stage_names.size()); ++stage)
-        for (CompiledFile& each : compiled_files(stage)) files.push_back({std::move(each)});
-    if (files.size() > 1) read_symbols(files);
-    return files;
+/// The functions and variables that other objects can see, without those that may be defined in
+/// several objects.
+std::set<std::string> definitions(const CompiledFile& file) {
+    std::set<std::string> names;
+    for (const Symbol& each : file.symbols)
+        if (std::string_view("TDBR").find(each.kind) != std::string_view::npos)
+            names.insert(each.name);
+    return names;
+}
+
+std::vector<std::string> shared_names(const CompiledFile& file, const CompiledFile& other) {
+    std::vector<std::string> names;
+    std::ranges::set_intersection(definitions(file), definitions(other), std::back_inserter(names));
+    return names;
 }
 
 /// True if a program is linked from both: it has one trace, of its last stage.
@@ -75,12 +77,29 @@ bool meet(const CompiledFile& earlier, const CompiledFile& later) {
 
 }  // namespace
 
-std::vector<CompiledFile> compiled_files(int stage) {
-    std::vector<CompiledFile> files;
-    for (const fs::path& file : student_files(stage)) {
-        const fs::path object = object_of(stage, file, "f64");
-        if (is_newer(object, file)) files.push_back({stage, file, object});
+std::optional<Symbol> read_symbol(const std::string& line) {
+    std::array<std::size_t, 6> bars{};  // the last ones: a name may have some, too
+    std::size_t end = line.size();
+    for (auto bar = bars.rbegin(); bar != bars.rend(); end = *bar++) {
+        if (end == 0) return std::nullopt;
+        *bar = line.rfind('|', end - 1);
+        if (*bar == std::string::npos) return std::nullopt;
     }
+    const std::size_t start = line.find_first_not_of(' ');
+    const std::size_t kind = line.find_first_not_of(' ', bars[1] + 1);
+    if (start >= bars[0] || kind >= bars[2]) return std::nullopt;
+    const std::size_t last = line.find_last_not_of(' ', bars[0] - 1);
+    return Symbol{line.substr(start, last + 1 - start), line[kind], line.substr(bars[5] + 1)};
+}
+
+std::vector<CompiledFile> compiled_files() {
+    std::vector<CompiledFile> files;
+    for (int stage = 1; stage <= int(stage_names.size()); ++stage)
+        for (const fs::path& file : student_files(stage)) {
+            const fs::path object = object_of(stage, file, "f64");
+            if (is_newer(object, file)) files.push_back({stage, file, object});
+        }
+    if (!files.empty()) read_symbols(files);
     return files;
 }
 
@@ -114,16 +133,14 @@ std::string kept_warnings(int stage) {
     return all;
 }
 
-std::vector<SharedSymbol> shared_symbols(int stage) {
+std::vector<SharedSymbol> shared_symbols(int stage, const std::vector<CompiledFile>& files) {
     std::vector<SharedSymbol> shared;
-    const std::vector<LinkedFile> files = linked_files();
-    for (const LinkedFile& mine : files)
-        for (const LinkedFile& other : files)
+    for (const CompiledFile& mine : files)
+        for (const CompiledFile& other : files)
             if (mine.stage == stage && (meet(mine, other) || meet(other, mine)))
-                for (const std::string& name : mine.symbols)
-                    if (other.symbols.contains(name))
-                        shared.push_back({name, mine.file.lexically_relative(project_folder),
-                                          other.file.lexically_relative(project_folder)});
+                for (const std::string& name : shared_names(mine, other))
+                    shared.push_back({name, mine.file.lexically_relative(project_folder),
+                                      other.file.lexically_relative(project_folder)});
     return shared;
 }
 

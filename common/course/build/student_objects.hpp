@@ -2,20 +2,33 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace rt {
+
+/// A symbol of an object.
+struct Symbol {
+    std::string name;  ///< as in the source: "rt::solve(float, float)"
+    char kind = ' ';   ///< nm's letter
+    std::string section = {};
+};
+
+/// The symbol in a line of nm's System V format, "NAME|VALUE| KIND |TYPE|SIZE|LINE|SECTION"; none
+/// in other lines.
+[[nodiscard]] std::optional<Symbol> read_symbol(const std::string& line);
 
 /// A student's file, compiled in double since it changed.
 struct CompiledFile {
     int stage = 0;
     std::filesystem::path file;
     std::filesystem::path object;
+    std::vector<Symbol> symbols = {};
 };
 
-/// These files of a stage.
-[[nodiscard]] std::vector<CompiledFile> compiled_files(int stage);
+/// These files of all stages.
+[[nodiscard]] std::vector<CompiledFile> compiled_files();
 
 /// True for the path of a student's object in the build folder.
 [[nodiscard]] bool is_student_object(const std::string& path);
@@ -37,8 +50,8 @@ struct SharedSymbol {
     std::filesystem::path other_file;  ///< of another stage
 };
 
-/// These symbols of a stage's files. Of other stages, only files that were compiled since they
-/// changed are known.
-[[nodiscard]] std::vector<SharedSymbol> shared_symbols(int stage);
+/// These symbols of the files of a stage.
+[[nodiscard]] std::vector<SharedSymbol> shared_symbols(int stage,
+                                                       const std::vector<CompiledFile>& files);
 
 }  // namespace rt

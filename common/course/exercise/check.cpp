@@ -112,7 +112,7 @@ std::string now() {
 /// The variables of the student's `trace` that keep a value from one ray to the next.
 std::string kept_by_trace(int stage) {
     std::string names;
-    for (const StaticVariable& each : static_variables(stage))
+    for (const StaticVariable& each : static_variables(stage, compiled_files()))
         if (each.file.filename() == trace_file) names += (names.empty() ? "" : ", ") + each.name;
     return names;
 }

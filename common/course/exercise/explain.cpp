@@ -49,7 +49,7 @@ void show_dependence(int stage, const std::string& pixel, const std::string& dra
     const std::string alone = value_in_log(explanation, "8-bit");
     if (drawn.empty() || is_a_mean || alone == drawn) return;
     std::string kept;
-    for (const StaticVariable& each : static_variables(stage))
+    for (const StaticVariable& each : static_variables(stage, compiled_files()))
         kept += (kept.empty() ? "" : ", ") + each.name;
     const Values values = {{"pixel", pixel}, {"drawn", drawn}, {"alone", alone}, {"names", kept}};
     const std::string words =

@@ -62,7 +62,7 @@ std::string difference(const Comparison& comparison, Resolution size) {
 /// Prints the usual causes of a picture that is another one with one thread.
 void show_causes_of_difference(int stage) {
     std::string shared;
-    for (const StaticVariable& each : static_variables(stage))
+    for (const StaticVariable& each : static_variables(stage, compiled_files()))
         if (!each.of_each_thread) shared += (shared.empty() ? "" : ", ") + each.name;
     const std::string cause =
         shared.empty()

@@ -67,9 +67,9 @@ std::string compiler_warning(int stage) {
 }
 
 /// Warns of symbols for which no program can be linked with another stage of the student's.
-std::string shared_symbols_of(int stage) {
+std::string shared_symbols_of(int stage, const std::vector<CompiledFile>& files) {
     std::string text;
-    for (const SharedSymbol& each : shared_symbols(stage))
+    for (const SharedSymbol& each : shared_symbols(stage, files))
         text +=
             warning(each.file.string(),
                     tr("{symbol} is defined twice, also in {file}: ./course run cannot link both.",
@@ -79,9 +79,9 @@ std::string shared_symbols_of(int stage) {
 }
 
 /// Warns of variables that keep a value from one ray to the next.
-std::string static_variables_of(int stage) {
+std::string static_variables_of(int stage, const std::vector<CompiledFile>& files) {
     std::string text;
-    for (const StaticVariable& each : static_variables(stage))
+    for (const StaticVariable& each : static_variables(stage, files))
         text += warning(
             each.file.string() + ":" + std::to_string(each.line),
             each.of_each_thread
@@ -97,8 +97,10 @@ std::string static_variables_of(int stage) {
 }  // namespace
 
 std::string warnings_of(const Workbook& workbook) {
-    return compiler_warning(workbook.stage()) + static_variables_of(workbook.stage()) +
-           shared_symbols_of(workbook.stage()) + refused_includes_of(workbook) +
+    const int stage = workbook.stage();
+    const std::vector<CompiledFile> files = compiled_files();
+    return compiler_warning(stage) + static_variables_of(stage, files) +
+           shared_symbols_of(stage, files) + refused_includes_of(workbook) +
            ungraded_files_of(workbook);
 }
 
