@@ -34,6 +34,8 @@ namespace {
 /// Below the result: the picture, the next step, and a prompt or the keys of `watch`.
 constexpr int rows_of_rest = 8;
 
+constexpr int rows_of_verdict = 1;
+
 /// Returns whether a part with a case that fails is written.
 bool is_any_written(const Judged& judged) {
     return std::ranges::any_of(judged.suite.cases, [&](const CaseResult& each) {
@@ -149,19 +151,25 @@ void remember(const Findings& findings, const std::string& files, Workbook& work
     workbook.remember(record);
 }
 
-/// The findings, once everything is built; without a judgment in float if double has a crash, which
-/// float would have, too.
-Findings examine(const Workbook& workbook, const Begun& begun) {
-    const int stage = workbook.stage();
+/// Both results, once everything is built; without float if double has a crash, which float would
+/// have, too.
+Judgment awaited(const Begun& begun) {
     const Judged& in_double = result(begun.in_double);
     std::optional<Judged> in_float;
     if (begun.in_float.valid() && in_double.suite.ended.empty()) in_float = result(begun.in_float);
+    return {in_double, std::move(in_float)};
+}
+
+/// The known mistakes with these results, of functions and of `trace`.
+Diagnosis recognized(int stage, const Judgment& judgment) {
+    const Judged& in_double = judgment.in_double;
     Diagnosis diagnosis;
-    if (in_double.functions_are_wrong || (in_float && in_float->functions_are_wrong))
+    if (in_double.functions_are_wrong ||
+        (judgment.in_float && judgment.in_float->functions_are_wrong))
         diagnosis =
             diagnosis_of(stage, report_of(name_of(stage) + "_test_double"), in_double.unwritten);
     add_trace_mistakes(stage, in_double, diagnosis);
-    return findings_of(stage, {in_double, std::move(in_float)}, std::move(diagnosis));
+    return diagnosis;
 }
 
 }  // namespace
@@ -177,16 +185,19 @@ int check(int stage, bool complete) {
         if (begun.in_double.valid() && !result(begun.in_double).suite.cases.empty()) {
             const Findings findings =
                 findings_of(stage, {result(begun.in_double), std::nullopt}, {});
-            const int rows = show_verdict(stage, findings, complete);
+            show_verdict(stage, findings.judgment);
+            const int rows = rows_of_verdict + show_diagnosis(stage, findings, complete);
             show_failure(stage, findings, complete,
                          rows + int(lines_of(wrapped_diagnostic(error)).size()));
         }
         std::fputs(wrapped_diagnostic(error).c_str(), stdout);
         return 1;
     }
-    const Findings findings = examine(workbook, begun);
+    const Judgment judgment = awaited(begun);
+    show_verdict(stage, judgment);
+    const Findings findings = findings_of(stage, judgment, recognized(stage, judgment));
     remember(findings, files, workbook);
-    const int rows = show_verdict(stage, findings, complete);
+    const int rows = rows_of_verdict + show_diagnosis(stage, findings, complete);
     const std::string below = warnings_of(workbook) + references_used(stage);
     show_failure(stage, findings, complete, rows + int(lines_of(below).size()) + rows_of_rest);
     const bool draws = findings.judgment.ended() && show_picture(stage, !findings.judgment.right());

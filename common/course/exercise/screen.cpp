@@ -55,16 +55,6 @@ std::string prints_text(const std::string& output, bool complete) {
     return text;
 }
 
-std::string verdict_text(int stage, const Judgment& judgment) {
-    const Values counts = {{"passed", std::to_string(judgment.passed())},
-                           {"cases", std::to_string(judgment.cases())}};
-    const std::string passed =
-        judgment.in_float ? tr("{passed} of {cases} cases pass, in float and double", counts)
-                          : tr("{passed} of {cases} cases pass, in double", counts);
-    return styled(name_of(stage), Style::bold) + ": " +
-           styled(passed, judgment.right() ? Style::good : Style::bad) + "\n";
-}
-
 /// A failure on a terminal: the call or the scene, and what follows it.
 struct FailureText {
     std::string question;
@@ -163,9 +153,20 @@ Findings findings_of(int stage, Judgment judgment, Diagnosis diagnosis) {
     return {std::move(judgment), std::move(diagnosis), std::move(known), std::move(part)};
 }
 
-int show_verdict(int stage, const Findings& findings, bool complete) {
+void show_verdict(int stage, const Judgment& judgment) {
+    const Values counts = {{"passed", std::to_string(judgment.passed())},
+                           {"cases", std::to_string(judgment.cases())}};
+    const std::string passed =
+        judgment.in_float ? tr("{passed} of {cases} cases pass, in float and double", counts)
+                          : tr("{passed} of {cases} cases pass, in double", counts);
+    std::printf("%s: %s\n", styled(name_of(stage), Style::bold).c_str(),
+                styled(passed, judgment.right() ? Style::good : Style::bad).c_str());
+    std::fflush(stdout);
+}
+
+int show_diagnosis(int stage, const Findings& findings, bool complete) {
     const Judgment& judgment = findings.judgment;
-    std::string text = verdict_text(stage, judgment);
+    std::string text;
     for (const std::string& sentence : findings.diagnosis.sentences)
         text += prose(tr_text(sentence), Style::bold);
     if (complete && !findings.diagnosis.names.empty())

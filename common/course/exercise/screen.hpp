@@ -18,9 +18,12 @@ struct Findings {
 
 [[nodiscard]] Findings findings_of(int stage, Judgment judgment, Diagnosis diagnosis);
 
-/// Prints the verdict in one line, the sentences on known mistakes, and what is not written; with
-/// `complete` also the names of the mistakes and every case. Returns the number of lines.
-int show_verdict(int stage, const Findings& findings, bool complete);
+/// Prints the verdict in one line.
+void show_verdict(int stage, const Judgment& judgment);
+
+/// Prints the sentences on known mistakes, and what is not written; with `complete` also the names
+/// of the mistakes and every case. Returns the number of lines.
+int show_diagnosis(int stage, const Findings& findings, bool complete);
 
 /// Prints the most telling failure, with `complete` also the lines to paste. Without, what does not
 /// fit on the terminal beside as many other rows is left out: first the plainer call, then the end
