@@ -254,10 +254,10 @@ course 0 explain 3
 says "The picture cannot show it. The first failing case of the last check: very small spheres"
 answer step03_sphere subtracts_r_squared $mine
 in_french 1 check 3
-says "intersect répond std::nullopt à tous les appels essayés"
+says "intersect renvoie std::nullopt pour tous les appels essayés."
 grep -q "^votre réponse : pas d'intersection" renders/step03_sphere_slice.svg || fail "the drawing is French"
 course 1 check 3
-says "intersect answers std::nullopt to every call that was tried"
+says "intersect returns std::nullopt for every call that was tried."
 says_not "Your discriminant subtracts"
 course 1 compare 3
 says "pixels differ"

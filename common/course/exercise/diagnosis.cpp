@@ -25,10 +25,11 @@ ProcessResult diagnosed(const Command& command) {
     return run_captured(command, time_limit);
 }
 
-/// The output of `diagnose`: "mistake: name: sentence" and other sentences, then "smallest: call"
-/// and its indented lines.
+/// The output of `diagnose`: "mistake: name: sentence", "always: sentence" and other sentences,
+/// then "smallest: call" and its indented lines.
 Diagnosis read_diagnosis(const std::string& output) {
     const std::string mistake = "mistake: ";
+    const std::string always = "always: ";
     const std::string smallest = "smallest: ";
     Diagnosis diagnosis;
     for (const std::string& line : lines_of(output)) {
@@ -41,7 +42,8 @@ Diagnosis read_diagnosis(const std::string& output) {
             diagnosis.names.push_back(line.substr(mistake.size(), colon - mistake.size()));
             diagnosis.sentences.push_back(line.substr(colon + 2));
         } else if (!line.empty())
-            diagnosis.sentences.push_back(line);
+            diagnosis.sentences.push_back(
+                line.substr(line.starts_with(always) ? always.size() : 0));
     }
     return diagnosis;
 }

@@ -104,9 +104,10 @@ void read_diagnosis(const std::string& output, Mark& mark) {
             mark.mistake += (mark.mistake.empty() ? "" : "\n") + line.substr(sentence + 2);
             part = nullptr;
         } else {
-            if (line.rfind("smallest: ", 0) == 0 || line.rfind("always: ", 0) == 0)
-                part = &mark.smallest;
-            if (part != nullptr) *part += line + "\n";
+            constexpr std::string_view always = "always: ";
+            const bool is_constant = line.starts_with(always);
+            if (is_constant || line.starts_with("smallest: ")) part = &mark.smallest;
+            if (part != nullptr) *part += line.substr(is_constant ? always.size() : 0) + "\n";
         }
     }
 }
