@@ -110,7 +110,7 @@ void show_hint(int stage, std::optional<int> level) {
     record.hints += std::max(0, shown - record.hint_level);
     record.hint_level = std::max(record.hint_level, shown);
     const std::string part = record.part.empty() ? "" : ", " + tr(record.part);
-    read_project_translations(step_path(stage, "hints"));
+    read_project_translations("docs/" + name_of(stage));
     std::printf("%s\n\n%s",
                 tr("{stage}, hint {level} of {levels}", {{"stage", name_of(stage) + part},
                                                          {"level", std::to_string(shown)},
