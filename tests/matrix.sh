@@ -8,7 +8,7 @@ root=$(CDPATH='' cd -- "$(dirname "$0")/.." && pwd -P) || exit 2
 build=${2-$root/build}
 case ${1-all} in
     all) stage=step ;;
-    [1-9] | 1[0-3]) stage=$(printf 'step%02d_' "$1") ;;
+    [1-9] | 1[0-9]) stage=$(printf 'step%02d_' "$1") ;;
     *) stage=$(basename "$root"/tests/mistakes/*"$1".txt .txt) ;;
 esac
 

@@ -159,7 +159,7 @@ check_languages()
 check_size()
 formulas = sum(page.formulas for page in pages.values())
 links = sum(len(page.links) for page in pages.values())
-if len(stages) != 13 or formulas < 800 or links < 1500:
+if len(stages) < 13 or formulas < 800 or links < 1500:
     errors.append(f"{len(stages)} stages, {formulas} formulas, {links} links: fewer than there are")
 print("\n".join(errors[:40]), end="\n" if errors else "")
 sys.exit(bool(errors))

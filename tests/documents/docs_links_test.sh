@@ -4,7 +4,7 @@
 # of a suite that a page names, as `check` does, is a check.
 cd "$1" || exit 2
 
-wrong=$(for page in README*.md .github/*.md common/README.md common/*/README.md docs/*.md docs/reference/*.md; do
+wrong=$(for page in README*.md .github/*.md common/README.md common/*/README.md tests/README.md docs/*.md docs/reference/*.md; do
     folder=$(dirname "$page")
     grep -v '^    ' "$page" | tr '\n' ' ' | grep -o ']([^)]*)' | sed 's/^](\([^#)]*\).*/\1/' | while read -r target; do
         case $target in

@@ -85,6 +85,6 @@ differs 1 '1) one'
 differs 2 'text\n| a | table |'
 differs 0 'text\n\n    - verbatim\n    4. too\n\ntext'
 
-found=$(find README*.md docs common steps -name '*.md' -print | sort | while read -r page; do differences "$page"; done)
+found=$(find README*.md docs common steps tests -name '*.md' -print | sort | while read -r page; do differences "$page"; done)
 [ -z "$found" ] || { echo "$found"; failed=1; }
 exit $failed
