@@ -1,10 +1,4 @@
-// right as_printed: MRT §1 as printed
-#define pixel_on_screen(...) correct_pixel_on_screen(__VA_ARGS__)
-#define camera_ray(...) correct_camera_ray(__VA_ARGS__)
-#include "steps/step01_ray_generation/reference/ray_generation.cpp"
-#undef pixel_on_screen
-#undef camera_ray
-
+// right as_printed around pixel_on_screen camera_ray: MRT §1 as printed
 namespace rt {
 
 Vec2 pixel_on_screen(Pixel pixel, Resolution resolution, Real vertical_fov) {
@@ -50,13 +44,8 @@ Ray unprojected_ray(Pixel pixel, const Mat4& camera_to_world, const Mat4& image_
 
 }  // namespace rt
 
-// right from_the_corner: steps of one pixel from the screen's upper left corner
-#define pixel_on_screen(...) correct_pixel_on_screen(__VA_ARGS__)
-#define camera_ray(...) correct_camera_ray(__VA_ARGS__)
-#include "steps/step01_ray_generation/reference/ray_generation.cpp"
-#undef pixel_on_screen
-#undef camera_ray
-
+// right from_the_corner around pixel_on_screen camera_ray: steps of one pixel from the screen's
+// upper left corner
 namespace rt {
 
 Vec2 pixel_on_screen(Pixel pixel, Resolution resolution, Real vertical_fov) {

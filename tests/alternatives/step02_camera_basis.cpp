@@ -1,12 +1,5 @@
-// right as_printed: MRT §2 with X normalized; V as in M1, a translation and then a rotation
-#define orthonormal_basis(...) correct_basis_around(__VA_ARGS__)
-#define camera_basis(...) correct_camera_basis(__VA_ARGS__)
-#define view_matrix(...) correct_view_matrix(__VA_ARGS__)
-#include "steps/step02_camera_basis/reference/camera_basis.cpp"
-#undef orthonormal_basis
-#undef camera_basis
-#undef view_matrix
-
+// right as_printed around orthonormal_basis camera_basis view_matrix: MRT §2 with X normalized; V
+// as in M1, a translation and then a rotation
 namespace rt {
 
 Basis orthonormal_basis(Vec3 towards) {
@@ -31,11 +24,7 @@ Mat4 view_matrix(const Basis& basis, Vec3 position) {
 
 }  // namespace rt
 
-// right by_angles: turned by two angles, as a camera on a tripod is
-#define orthonormal_basis(...) correct_basis_around(__VA_ARGS__)
-#include "steps/step02_camera_basis/reference/camera_basis.cpp"
-#undef orthonormal_basis
-
+// right by_angles around orthonormal_basis: turned by two angles, as a camera on a tripod is
 namespace rt {
 
 Basis orthonormal_basis(Vec3 z) {
@@ -50,12 +39,9 @@ Basis orthonormal_basis(Vec3 z) {
 
 }  // namespace rt
 
-// right by_inverse: the inverse of the matrix that carries the camera into the world
+// right by_inverse around view_matrix: the inverse of the matrix that carries the camera into the
+// world
 #include <glm/matrix.hpp>
-
-#define view_matrix(...) correct_view_matrix(__VA_ARGS__)
-#include "steps/step02_camera_basis/reference/camera_basis.cpp"
-#undef view_matrix
 
 namespace rt {
 

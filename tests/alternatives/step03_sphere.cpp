@@ -1,9 +1,5 @@
-// right citardauq: the root that cancels as c / q
+// right citardauq around intersect: the root that cancels as c / q
 #include <algorithm>
-
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step03_sphere/reference/sphere.cpp"
-#undef intersect
 
 namespace rt {
 
@@ -24,11 +20,8 @@ std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval int
 
 }  // namespace rt
 
-// right geometric: a unit direction, Pythagoras, and t divided by the length in the end
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step03_sphere/reference/sphere.cpp"
-#undef intersect
-
+// right geometric around intersect: a unit direction, Pythagoras, and t divided by the length in
+// the end
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval interval) {
@@ -48,11 +41,7 @@ std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval int
 
 }  // namespace rt
 
-// right textbook: PHY's A t² + B t + C = 0 as printed
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step03_sphere/reference/sphere.cpp"
-#undef intersect
-
+// right textbook around intersect: PHY's A t² + B t + C = 0 as printed
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval interval) {

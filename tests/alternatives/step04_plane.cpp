@@ -1,8 +1,4 @@
-// right as_printed: MRT §4 as printed
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step04_plane/reference/plane.cpp"
-#undef intersect
-
+// right as_printed around intersect: MRT §4 as printed
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Plane& plane, Interval interval) {
@@ -13,11 +9,7 @@ std::optional<Real> intersect(const Ray& ray, const Plane& plane, Interval inter
 
 }  // namespace rt
 
-// right implicit: a x + b y + c z + d = 0 (PHY)
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step04_plane/reference/plane.cpp"
-#undef intersect
-
+// right implicit around intersect: a x + b y + c z + d = 0 (PHY)
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Plane& plane, Interval interval) {
@@ -32,11 +24,8 @@ std::optional<Real> intersect(const Ray& ray, const Plane& plane, Interval inter
 
 }  // namespace rt
 
-// right unit_direction: along a direction of unit length, and back to the ray's own
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step04_plane/reference/plane.cpp"
-#undef intersect
-
+// right unit_direction around intersect: along a direction of unit length, and back to the ray's
+// own
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Plane& plane, Interval interval) {

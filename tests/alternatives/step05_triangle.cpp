@@ -1,9 +1,5 @@
-// right gram: the weights by the products of two sides with each other and with p − a (Ericson
-// 2005)
-#define barycentric(...) correct_barycentric(__VA_ARGS__)
-#include "steps/step05_triangle/reference/triangle.cpp"
-#undef barycentric
-
+// right gram around barycentric: the weights by the products of two sides with each other and with
+// p − a (Ericson 2005)
 namespace rt {
 
 Vec3 barycentric(const Triangle& triangle, Vec3 point) {
@@ -18,11 +14,7 @@ Vec3 barycentric(const Triangle& triangle, Vec3 point) {
 
 }  // namespace rt
 
-// right half_planes: MRT §5, with ≥
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step05_triangle/reference/triangle.cpp"
-#undef intersect
-
+// right half_planes around intersect: MRT §5, with ≥
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval interval) {
@@ -39,11 +31,7 @@ std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval
 
 }  // namespace rt
 
-// right moller_trumbore: Möller and Trumbore 1997 (M1), without an epsilon
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step05_triangle/reference/triangle.cpp"
-#undef intersect
-
+// right moller_trumbore around intersect: Möller and Trumbore 1997 (M1), without an epsilon
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval interval) {
@@ -63,11 +51,8 @@ std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval
 
 }  // namespace rt
 
-// right signed_areas: the weights of the point, none of them negative (CR §4.1 with signs)
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step05_triangle/reference/triangle.cpp"
-#undef intersect
-
+// right signed_areas around intersect: the weights of the point, none of them negative (CR §4.1
+// with signs)
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval interval) {
@@ -83,11 +68,7 @@ std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval
 
 }  // namespace rt
 
-// right unit_vectors: MRT §5 with a unit normal and a unit direction
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step05_triangle/reference/triangle.cpp"
-#undef intersect
-
+// right unit_vectors around intersect: MRT §5 with a unit normal and a unit direction
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval interval) {

@@ -1,8 +1,4 @@
-// right by_uv: HAI's u and v from the corner
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step06_square/reference/square.cpp"
-#undef intersect
-
+// right by_uv around intersect: HAI's u and v from the corner
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Square& square, Interval interval) {
@@ -17,11 +13,7 @@ std::optional<Real> intersect(const Ray& ray, const Square& square, Interval int
 
 }  // namespace rt
 
-// right edge_tests: CR §2.3, edge by edge, with ≥
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step06_square/reference/square.cpp"
-#undef intersect
-
+// right edge_tests around intersect: CR §2.3, edge by edge, with ≥
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Square& square, Interval interval) {
@@ -43,11 +35,7 @@ std::optional<Real> intersect(const Ray& ray, const Square& square, Interval int
 
 }  // namespace rt
 
-// right own_basis: MRT §6 as printed, with ≤, and abs without std::
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step06_square/reference/square.cpp"
-#undef intersect
-
+// right own_basis around intersect: MRT §6 as printed, with ≤, and abs without std::
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Square& square, Interval interval) {
@@ -63,11 +51,8 @@ std::optional<Real> intersect(const Ray& ray, const Square& square, Interval int
 
 }  // namespace rt
 
-// right side_of_the_origin: a one-sided square is seen from its front if the ray starts there
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step06_square/reference/square.cpp"
-#undef intersect
-
+// right side_of_the_origin around intersect: a one-sided square is seen from its front if the ray
+// starts there
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Square& square, Interval interval) {
@@ -83,11 +68,7 @@ std::optional<Real> intersect(const Ray& ray, const Square& square, Interval int
 
 }  // namespace rt
 
-// right unit_direction: a unit direction, and half a side from the center
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step06_square/reference/square.cpp"
-#undef intersect
-
+// right unit_direction around intersect: a unit direction, and half a side from the center
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Square& square, Interval interval) {

@@ -1,8 +1,4 @@
-// right as_printed: MRT §7 with a chosen X and Y, and a test for a = 0
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step07_cylinder/reference/cylinder.cpp"
-#undef intersect
-
+// right as_printed around intersect: MRT §7 with a chosen X and Y, and a test for a = 0
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder, Interval interval) {
@@ -28,11 +24,7 @@ std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder, Interval
 
 }  // namespace rt
 
-// right axis_taken_away: v − ⟨v, Z⟩ Z in place of v ∧ Z
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step07_cylinder/reference/cylinder.cpp"
-#undef intersect
-
+// right axis_taken_away around intersect: v − ⟨v, Z⟩ Z in place of v ∧ Z
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder, Interval interval) {
@@ -55,11 +47,7 @@ std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder, Interval
 
 }  // namespace rt
 
-// right in_its_frame: the ray is transformed to a frame with the axis as z
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step07_cylinder/reference/cylinder.cpp"
-#undef intersect
-
+// right in_its_frame around intersect: the ray is transformed to a frame with the axis as z
 #include "steps/step02_camera_basis/camera_basis.hpp"
 
 namespace rt {
@@ -82,11 +70,7 @@ std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder, Interval
 
 }  // namespace rt
 
-// right unit_direction: a unit direction, and its part across the axis
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step07_cylinder/reference/cylinder.cpp"
-#undef intersect
-
+// right unit_direction around intersect: a unit direction, and its part across the axis
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder, Interval interval) {

@@ -1,8 +1,4 @@
-// right by_cosine: ⟨p − o, Z⟩² = cos² ‖p − o‖², the form of other textbooks
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step08_cone/reference/cone.cpp"
-#undef intersect
-
+// right by_cosine around intersect: ⟨p − o, Z⟩² = cos² ‖p − o‖², the form of other textbooks
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interval) {
@@ -28,11 +24,7 @@ std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interva
 
 }  // namespace rt
 
-// right in_its_frame: the ray is transformed to a frame with the axis as z
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step08_cone/reference/cone.cpp"
-#undef intersect
-
+// right in_its_frame around intersect: the ray is transformed to a frame with the axis as z
 #include "steps/step02_camera_basis/camera_basis.hpp"
 
 namespace rt {
@@ -62,11 +54,7 @@ std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interva
 
 }  // namespace rt
 
-// right textbook: MRT §8 with (r/h)², the roots ordered, −c / b where a = 0
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step08_cone/reference/cone.cpp"
-#undef intersect
-
+// right textbook around intersect: MRT §8 with (r/h)², the roots ordered, −c / b where a = 0
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interval) {
@@ -95,11 +83,7 @@ std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interva
 
 }  // namespace rt
 
-// right times_h_squared: MRT §8 times h², without a division
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step08_cone/reference/cone.cpp"
-#undef intersect
-
+// right times_h_squared around intersect: MRT §8 times h², without a division
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interval) {
@@ -129,11 +113,7 @@ std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interva
 
 }  // namespace rt
 
-// right unit_direction: MRT §8 with a unit direction, and vectors across the axis
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step08_cone/reference/cone.cpp"
-#undef intersect
-
+// right unit_direction around intersect: MRT §8 with a unit direction, and vectors across the axis
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interval) {

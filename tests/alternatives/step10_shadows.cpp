@@ -1,9 +1,5 @@
-// right aimed_from_the_point: the direction from the point itself, twice the error off the surface,
-// and eight times before the light
-#define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)
-#include "steps/step10_shadows/reference/shadows.cpp"
-#undef shadow_ray
-
+// right aimed_from_the_point around shadow_ray: the direction from the point itself, twice the
+// error off the surface, and eight times before the light
 namespace rt {
 
 ShadowRay shadow_ray(const ShadingPoint& surface, Vec3 light) {
@@ -15,11 +11,7 @@ ShadowRay shadow_ray(const ShadingPoint& surface, Vec3 light) {
 
 }  // namespace rt
 
-// right rounded_outwards: pbrt's offset, rounded away from the surface
-#define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)
-#include "steps/step10_shadows/reference/shadows.cpp"
-#undef shadow_ray
-
+// right rounded_outwards around shadow_ray: pbrt's offset, rounded away from the surface
 #include <cmath>
 
 namespace rt {
@@ -38,11 +30,8 @@ ShadowRay shadow_ray(const ShadingPoint& surface, Vec3 light) {
 
 }  // namespace rt
 
-// right unit_direction: CR §3.2's unit L and its distance, shortened by 1/10000 before the light
-#define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)
-#include "steps/step10_shadows/reference/shadows.cpp"
-#undef shadow_ray
-
+// right unit_direction around shadow_ray: CR §3.2's unit L and its distance, shortened by 1/10000
+// before the light
 #include "common/math/vector.hpp"
 
 namespace rt {

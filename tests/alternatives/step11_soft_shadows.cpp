@@ -1,22 +1,16 @@
-// right concentric: the square laid on a disc without tearing it (Shirley and Chiu 1997), and the
-// blocked counted
-#define sample_light(...) correct_light_point(__VA_ARGS__)
-#define visibility(...) correct_lit_share(__VA_ARGS__)
-#include "steps/step11_soft_shadows/reference/soft_shadows.cpp"
-#undef sample_light
-#undef visibility
-
+// right concentric around sample_light visibility: the square laid on a disc without tearing it
+// (Shirley and Chiu 1997), and the blocked counted
 namespace rt {
 
 Vec3 sample_light(const Light& light, Vec3 from, Vec2 sample) {
     const Real a = 2 * sample.x - 1;
     const Real b = 2 * sample.y - 1;
-    if (a == 0 && b == 0) return correct_light_point(light, from, {0, 0});
+    if (a == 0 && b == 0) return correct_sample_light(light, from, {0, 0});
     const bool wide = std::abs(a) > std::abs(b);
     const Real across = wide ? a : b;
     const Real angle = wide ? pi / 4 * b / a : pi / 2 - pi / 4 * a / b;
     const Real turns = angle / (2 * pi) + (across < 0 ? Real(0.5) : 0);
-    return correct_light_point(light, from, {across * across, turns});
+    return correct_sample_light(light, from, {across * across, turns});
 }
 
 Real visibility(const ShadowRays& rays) {
@@ -26,11 +20,8 @@ Real visibility(const ShadowRays& rays) {
 
 }  // namespace rt
 
-// right cone_and_sphere: a direction in the cone, and stage 3's intersection with the sphere
-#define sample_light(...) correct_light_point(__VA_ARGS__)
-#include "steps/step11_soft_shadows/reference/soft_shadows.cpp"
-#undef sample_light
-
+// right cone_and_sphere around sample_light: a direction in the cone, and stage 3's intersection
+// with the sphere
 #include "steps/step03_sphere/sphere.hpp"
 
 namespace rt {
@@ -57,14 +48,8 @@ Vec3 sample_light(const Light& light, Vec3 from, Vec2 sample) {
 
 }  // namespace rt
 
-// right pbrt: as in pbrt (Pharr, Jakob, Humphreys 2023, §6.2.4), and the error of independent
-// points
-#define sample_light(...) correct_light_point(__VA_ARGS__)
-#define visibility_error(...) correct_share_error(__VA_ARGS__)
-#include "steps/step11_soft_shadows/reference/soft_shadows.cpp"
-#undef sample_light
-#undef visibility_error
-
+// right pbrt around sample_light visibility_error: as in pbrt (Pharr, Jakob, Humphreys 2023,
+// §6.2.4), and the error of independent points
 namespace rt {
 
 Vec3 sample_light(const Light& light, Vec3 from, Vec2 sample) {

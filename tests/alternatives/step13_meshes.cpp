@@ -1,11 +1,6 @@
-// right all_hits_compared: CR §4.2's loop, t compared at the end, and CR §4.1's areas
+// right all_hits_compared around intersect interpolated_normal: CR §4.2's loop, t compared at the
+// end, and CR §4.1's areas
 #include "tests/alternatives/stage5.hpp"
-
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#define interpolated_normal(...) correct_interpolated_normal(__VA_ARGS__)
-#include "steps/step13_meshes/reference/meshes.cpp"
-#undef intersect
-#undef interpolated_normal
 
 namespace rt {
 
@@ -43,10 +38,8 @@ Vec3 interpolated_normal(const std::array<Vec3, 3>& normals, Vec3 weights) {
 
 }  // namespace rt
 
-// right by_matrix: HAI's matrices: the placement as one matrix, the ray by its inverse
-#define to_object_space(...) correct_into_frame(__VA_ARGS__)
-#include "steps/step13_meshes/reference/meshes.cpp"
-#undef to_object_space
+// right by_matrix around to_object_space: HAI's matrices: the placement as one matrix, the ray by
+// its inverse
 #include <glm/matrix.hpp>
 
 namespace rt {
@@ -65,16 +58,10 @@ Ray to_object_space(const Ray& ray, const Transform& placement) {
 
 }  // namespace rt
 
-// right six_planes: M1 to the letter: three pairs of planes, each by stage 4's formula
+// right six_planes around overlap intersect normal: M1 to the letter: three pairs of planes, each
+// by stage 4's formula
 #include "tests/alternatives/stage5.hpp"
 
-#define overlap(...) correct_overlap(__VA_ARGS__)
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#define normal(...) correct_normal(__VA_ARGS__)
-#include "steps/step13_meshes/reference/meshes.cpp"
-#undef overlap
-#undef intersect
-#undef normal
 #include <algorithm>
 
 namespace rt {
@@ -144,11 +131,7 @@ std::optional<MeshHit> intersect(const Ray& ray, const Mesh& mesh, Interval inte
 
 }  // namespace rt
 
-// right williams: the algorithm of M1's second paper, by 1 / d and its sign
-#define overlap(...) correct_overlap(__VA_ARGS__)
-#include "steps/step13_meshes/reference/meshes.cpp"
-#undef overlap
-
+// right williams around overlap: the algorithm of M1's second paper, by 1 / d and its sign
 namespace rt {
 
 std::optional<Interval> overlap(const Ray& ray, const BoundingBox& box, Interval interval) {

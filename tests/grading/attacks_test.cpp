@@ -33,7 +33,6 @@
 #include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 
 using namespace rt;
 using namespace std::string_literals;
@@ -42,11 +41,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::chrono::seconds longest_grading{60};
-
-std::string content(const fs::path& file) {
-    std::ifstream in(file);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 std::string replaced(std::string text, const std::string& word, const std::string& by) {
     for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at))
@@ -82,7 +76,7 @@ struct Attack {
 std::vector<Attack> sections_of(const fs::path& file, const std::string& kind) {
     std::vector<Attack> sections;
     bool is_head = false;
-    for (const std::string& line : lines_of(content(file))) {
+    for (const std::string& line : lines_of(read_text(file))) {
         const std::size_t colon = line.find(": ");
         if (line.starts_with(kind + " ")) {
             const std::size_t start = kind.size() + 1;
@@ -169,8 +163,8 @@ public:
             const ProcessResult ending = run_captured({suite}, limit);
             CHECK_FALSE(ending.out_of_time);
             CHECK(ending.crash.empty());  // the suite itself came to its end
-            grade.passed = passed_cases(content(report()));
-            grade.message += content(report());
+            grade.passed = passed_cases(read_text(report()));
+            grade.message += read_text(report());
         }
         grade.time = std::chrono::steady_clock::now() - start;
         grade.processor_time = processor_time() - used;
@@ -184,7 +178,7 @@ public:
             here.insert(each.path().filename());
         const std::set<std::string> expected{"headers",      "seats",  "unpack",    "results.jsonl",
                                              "submission.o", "worker", "report.txt"};
-        return content(results()) == treasure &&
+        return read_text(results()) == treasure &&
                std::includes(expected.begin(), expected.end(), here.begin(), here.end());
     }
 
@@ -228,7 +222,7 @@ std::size_t ceiling(Grader& grader, const Attack& attack) {
         of_stub[stage] = grader
                              .grade({.name = "stub",
                                      .head = {{"stage", stage}},
-                                     .text = content(stage_file(stage, "starter"))})
+                                     .text = read_text(stage_file(stage, "starter"))})
                              .passed.size();
     return of_stub[stage];
 }
@@ -242,14 +236,14 @@ TEST_CASE("a right answer has all cases, sealed, and a stub has those of nothing
         INFO(stage);
         const Grade right = grader.grade({.name = "right",
                                           .head = {{"stage", stage}},
-                                          .text = content(stage_file(stage, "reference"))});
+                                          .text = read_text(stage_file(stage, "reference"))});
         INFO(right.message);
         REQUIRE(right.compiled);
         CHECK(right.message.find("\nfailed") == std::string::npos);
         CHECK(right.passed.size() > 15);
         const Grade stub = grader.grade({.name = "stub",
                                          .head = {{"stage", stage}},
-                                         .text = content(stage_file(stage, "starter"))});
+                                         .text = read_text(stage_file(stage, "starter"))});
         REQUIRE(stub.compiled);
         CHECK(stub.passed.size() < right.passed.size() / 2);
     }
@@ -265,13 +259,13 @@ TEST_CASE("a right trace has all cases, sealed and with a seed; a mistake has no
         return grader.grade(
             {.name = stage, .head = {{"stage", stage}, {"file", "main.cpp"}}, .text = text});
     };
-    const auto source = [](const std::string& file) { return content(RAYSTEPS_ROOT "/" + file); };
+    const auto source = [](const std::string& file) { return read_text(RAYSTEPS_ROOT "/" + file); };
     for (const auto& [stage, right, wrong] :
          {std::array{"step03_sphere", "smallest_of_all", "color_of_the_last"},
           std::array{"step12_mirror", "own_recursion", "ray_goes_on"}}) {
         const auto answer = find_right_answer(RAYSTEPS_ROOT, stage + "_trace"s, right);
         REQUIRE(answer);
-        const Grade all = graded(stage, *answer);
+        const Grade all = graded(stage, answer->text);
         INFO(all.message);
         REQUIRE(all.compiled);
         CHECK(all.message.find("\nfailed") == std::string::npos);
@@ -289,7 +283,7 @@ TEST_CASE("a right trace has all cases, sealed and with a seed; a mistake has no
 
 TEST_CASE("a file that does not include its contract is refused, as it is by a check") {
     Grader grader;
-    std::string text = content(stage_file("step03_sphere", "reference"));
+    std::string text = read_text(stage_file("step03_sphere", "reference"));
     const auto graded = [&] { return grader.grade({.name = "file", .head = {}, .text = text}); };
     // In any order: <cmath> first, as some students write.
     text = "#include <cmath>\n" + text;

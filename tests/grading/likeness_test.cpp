@@ -49,7 +49,7 @@ std::string text_of(const std::string& file) {
 }
 
 std::string right_answer(const std::string& suite, const std::string& name) {
-    return find_right_answer(project, suite, name).value();
+    return find_right_answer(project, suite, name).value().text;
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& with) {

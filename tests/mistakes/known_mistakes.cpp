@@ -6,17 +6,17 @@
 // names. An answer calls these functions by their names, and so itself.
 #include "common/course/authoring/known_mistakes.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/text.hpp"
 
 #include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <set>
-#include <sstream>
 
 namespace {
 
 namespace fs = std::filesystem;
-using rt::KnownMistake, rt::RightAnswer;
+using rt::KnownMistake, rt::RightAnswer, rt::lines_of;
 
 /// "Vec3 normal(const Plane& plane, Vec3 point)" in parts.
 struct Function {
@@ -33,9 +33,9 @@ std::string content_of(const fs::path& file) {
 std::vector<RightAnswer> answers_of(const fs::path& project, const std::string& suite) {
     std::vector<RightAnswer> answers;
     for (const KnownMistake& mistake : rt::read_known_mistakes(project, suite))
-        answers.push_back({mistake.name, source_of(project, suite, mistake)});
+        answers.push_back({mistake.name, {}, source_of(project, suite, mistake)});
     for (const RightAnswer& right : rt::read_right_answers(project, suite))
-        answers.push_back({right.name, rt::without_included_sources(project, right.text)});
+        answers.push_back({right.name, {}, source_of(project, suite, right)});
     return answers;
 }
 
@@ -53,13 +53,6 @@ void for_each_definition(std::vector<std::string>& lines, Visit visit) {
                               line.starts_with("template") || line.starts_with("constexpr ");
         if (is_text && !is_unnamed && !is_other && line.find('(') != std::string::npos) visit(i);
     }
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);) lines.push_back(line);
-    return lines;
 }
 
 /// The functions that a file defines, from the first lines of their definitions.
@@ -147,7 +140,7 @@ void write_all(const fs::path& project, const std::string& suite) {
         for (const std::string& line : lines_of(answer.text))
             if (line.starts_with('#') && seen.insert(line).second) std::cout << line << '\n';
     std::string names;
-    for (const auto& [name, text] : answers) {
+    for (const auto& [name, around, text] : answers) {
         std::string body;
         for (const std::string& line : lines_of(text))
             body += (line.starts_with('#') ? "" : line) + "\n";
@@ -171,7 +164,7 @@ void write_all(const fs::path& project, const std::string& suite) {
 
 void write_one(const fs::path& project, const std::string& suite, const std::string& name) {
     if (const auto right = rt::find_right_answer(project, suite, name)) {
-        std::cout << *right;
+        std::cout << source_of(project, suite, *right);
         return;
     }
     const auto mistakes = rt::read_known_mistakes(project, suite);

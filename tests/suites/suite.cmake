@@ -250,7 +250,7 @@ function(raysteps_answers suite)
         set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${alternatives})
         file(STRINGS ${alternatives} lines REGEX "^// right " ENCODING UTF-8)
     endif()
-    list(TRANSFORM lines REPLACE "^// right ([a-z0-9_]+):.*" "\\1")
+    list(TRANSFORM lines REPLACE "^// right ([a-z0-9_]+)[ :].*" "\\1")
     foreach(name IN LISTS lines)  # all of the suite must pass
         foreach(word IN ITEMS float double)
             raysteps_add_test(alternative_${suite}_${name}_${word} alternatives

@@ -75,9 +75,10 @@ private:
         if (!fs::exists(project_ / mistake.right_answer))
             fail(mistake.right_answer + " does not exist");
         if (mistake.right_answer == alternatives_of(suite_)) {
-            const auto text = find_right_answer(project_, suite_, right_answer);
-            if (!text) fail(mistake.right_answer + " has no answer " + right_answer);
-            mistake.right_text = *text;
+            const auto answer = find_right_answer(project_, suite_, right_answer);
+            if (!answer) fail(mistake.right_answer + " has no answer " + right_answer);
+            mistake.right_text = answer->text;
+            mistake.right_around = answer->around;
             mistake.right_answer += ", " + right_answer;
         } else {
             std::ifstream file(project_ / mistake.right_answer);
@@ -135,8 +136,13 @@ std::vector<RightAnswer> read_right_answers(const fs::path& project, const std::
     std::vector<RightAnswer> answers;
     std::ifstream lines(project / alternatives_of(suite));
     for (std::string line; std::getline(lines, line);) {
-        if (line.starts_with(mark))
-            answers.push_back({line.substr(mark.size(), line.find(':') - mark.size()), ""});
+        if (line.starts_with(mark)) {
+            std::istringstream words(line.substr(mark.size(), line.find(':') - mark.size()));
+            RightAnswer& answer = answers.emplace_back();
+            std::string around;
+            words >> answer.name >> around;
+            answer.around.assign(std::istream_iterator<std::string>(words), {});
+        }
         if (!answers.empty()) answers.back().text += line + "\n";
     }
     for (RightAnswer& answer : answers)  // blank lines before the next one
@@ -144,12 +150,12 @@ std::vector<RightAnswer> read_right_answers(const fs::path& project, const std::
     return answers;
 }
 
-std::optional<std::string> find_right_answer(const fs::path& project, const std::string& suite,
+std::optional<RightAnswer> find_right_answer(const fs::path& project, const std::string& suite,
                                              const std::string& name) {
     const std::vector<RightAnswer> answers = read_right_answers(project, suite);
     const auto found = std::ranges::find(answers, name, &RightAnswer::name);
     if (found == answers.end()) return std::nullopt;
-    return found->text;
+    return *found;
 }
 
 std::vector<KnownMistake> read_known_mistakes(const fs::path& project, const std::string& suite) {
@@ -232,50 +238,35 @@ Lines after_changes(const KnownMistake& mistake, const Lines& lines, const std::
     return changed;
 }
 
-/// The parts of a source, with the sources that it includes in place.
-struct Parts {
-    Lines head;  ///< the directives, each once
-    Lines body;
-};
+void rename(Lines& lines, const std::vector<std::string>& functions) {
+    for (const std::string& function : functions)
+        for (std::string& line : lines)
+            if (!line.starts_with('#')) line = renamed(line, function, "correct_" + function);
+}
 
-using Names = std::vector<std::pair<std::string, std::string>>;
-
-void add(Parts& parts, const fs::path& project, const Lines& lines, const Names& names) {
-    Names defined;  // #define intersect(...) correct_intersect(__VA_ARGS__)
-    for (std::string line : lines) {
-        std::istringstream words(line);
-        std::string directive, word, name;
-        words >> directive >> word >> name;
-        const std::size_t open = name.find("(__VA_ARGS__)");
-        if (directive == "#define" && word.ends_with("(...)") && open != std::string::npos) {
-            defined.emplace_back(word.substr(0, word.size() - 5), name.substr(0, open));
-        } else if (directive == "#undef") {
-            std::erase_if(defined, [&](const auto& each) { return each.first == word; });
-        } else if (directive == "#include" && word.ends_with(".cpp\"")) {
-            add(parts, project, lines_in(project / word.substr(1, word.size() - 2)), defined);
-        } else if (line.starts_with("#")) {
-            if (std::ranges::find(parts.head, line) == parts.head.end()) parts.head.push_back(line);
-        } else {
-            for (const auto& [function, other] : names) line = renamed(line, function, other);
-            parts.body.push_back(line);
-        }
-    }
+/// The lines after those of the reference, which has other names for these functions; directives
+/// come first.
+std::string with_reference(const fs::path& project, const std::string& suite,
+                           const std::vector<std::string>& around, const Lines& lines) {
+    Lines all;
+    if (!around.empty()) all = lines_in(project / file_of("reference", suite));
+    rename(all, around);
+    all.insert(all.end(), lines.begin(), lines.end());
+    std::ranges::stable_partition(all, [](const auto& line) { return line.starts_with('#'); });
+    return joined(all);
 }
 
 }  // namespace
 
-std::string without_included_sources(const fs::path& project, const std::string& text) {
-    Parts parts;
-    add(parts, project, lines_of(text), {});
-    return joined(parts.head) + joined(parts.body);
+std::string source_of(const fs::path& project, const std::string& suite,
+                      const RightAnswer& answer) {
+    return with_reference(project, suite, answer.around, lines_of(answer.text));
 }
 
 std::string source_of(const fs::path& project, const std::string& suite,
                       const KnownMistake& mistake) {
     Lines lines = after_changes(mistake, lines_of(mistake.right_text), catalogue_of(suite));
-    for (const std::string& function : mistake.around)
-        for (std::string& line : lines)
-            if (!line.starts_with('#')) line = renamed(line, function, "correct_" + function);
+    rename(lines, mistake.around);
     const std::string end = "}  // namespace rt";
     for (const auto& change : mistake.changes)
         if (change.old_lines.empty()) {
@@ -287,7 +278,7 @@ std::string source_of(const fs::path& project, const std::string& suite,
             added.push_back("");
             lines.insert(at.base() - 1, added.begin(), added.end());
         }
-    return without_included_sources(project, joined(lines));
+    return with_reference(project, suite, mistake.right_around, lines);
 }
 
 }  // namespace rt

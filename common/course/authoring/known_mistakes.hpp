@@ -11,6 +11,10 @@
 // line ends a group of lines: those that begin with "-" or " " must be found once in the right
 // answer, and those with "+" or " " replace them. A group of new lines only stands at the end of
 // the namespace. "in reference around normal": the reference's `normal` is called `correct_normal`.
+//
+// "// right by_uv around intersect: HAI's u and v" is the first line of a right answer that has
+// this function alone: all others are the reference's, whose `intersect` is called
+// `correct_intersect`.
 #pragma once
 
 #include <filesystem>
@@ -30,19 +34,20 @@ struct KnownMistake {
     };
 
     std::string name;
-    std::string right_answer;         ///< its file, and its name if the file contains several
-    std::string right_text;           ///< its whole source
-    std::vector<std::string> around;  ///< functions whose names get "correct_" before them
+    std::string right_answer;               ///< its file, and its name if the file contains several
+    std::string right_text;                 ///< its lines
+    std::vector<std::string> right_around;  ///< as in RightAnswer
+    std::vector<std::string> around;        ///< functions whose names get "correct_" before them
     std::string origin;
     std::string caught_by;  ///< a case of the suite
     std::string sentence;
     std::vector<Change> changes;
 };
 
-/// A right answer beside the reference: a part of tests/alternatives/<suite>.cpp, which is a whole
-/// source. Its first line is "// right NAME: in what it differs".
+/// A right answer beside the reference: a part of tests/alternatives/<suite>.cpp.
 struct RightAnswer {
     std::string name;
+    std::vector<std::string> around;  ///< the reference's functions in place of which it has others
     std::string text;
 };
 
@@ -50,8 +55,8 @@ struct RightAnswer {
 [[nodiscard]] std::vector<RightAnswer> read_right_answers(const std::filesystem::path& project,
                                                           const std::string& suite);
 
-/// The source of one of them, if there is one of that name.
-[[nodiscard]] std::optional<std::string> find_right_answer(const std::filesystem::path& project,
+/// One of them, if there is one of that name.
+[[nodiscard]] std::optional<RightAnswer> find_right_answer(const std::filesystem::path& project,
                                                            const std::string& suite,
                                                            const std::string& name);
 
@@ -68,9 +73,8 @@ struct RightAnswer {
 [[nodiscard]] std::string source_of(const std::filesystem::path& project, const std::string& suite,
                                     const KnownMistake& mistake);
 
-/// The text of a right answer, in which the sources that it includes stand in place, with the names
-/// that its macros give them.
-[[nodiscard]] std::string without_included_sources(const std::filesystem::path& project,
-                                                   const std::string& text);
+/// The whole source of a right answer of this suite.
+[[nodiscard]] std::string source_of(const std::filesystem::path& project, const std::string& suite,
+                                    const RightAnswer& answer);
 
 }  // namespace rt
