@@ -2,16 +2,9 @@
 // answer is a miss, or strictly inside the interval; and NaN and d = 0 miss.
 #include "tests/stability/sweeps.hpp"
 
-#include "steps/step03_sphere/sphere.hpp"
-#include "steps/step04_plane/plane.hpp"
-#include "steps/step05_triangle/triangle.hpp"
-#include "steps/step06_square/square.hpp"
-#include "steps/step07_cylinder/cylinder.hpp"
-#include "steps/step08_cone/cone.hpp"
+#include "steps/step08_cone/all_shapes.hpp"
 
 #include "tests/kit/shape_checks.hpp"
-
-#include <bit>
 
 using namespace rt;
 

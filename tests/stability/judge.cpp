@@ -14,7 +14,6 @@
 #include "tests/oracle/inputs.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -324,47 +323,20 @@ std::optional<Real> exact_answer(const Case<Shape>& asked) {
     return root->value().template convert_to<Real>();
 }
 
-template double unit_of(const Case<Sphere>&, std::optional<Real>);
-template double off(const Case<Sphere>&, Real, double);
-template Judgment judged(const Case<Sphere>&, std::optional<Real>);
-template bool starts_on(const Case<Sphere>&);
-template double band(const Case<Sphere>&, std::optional<Real>, double);
-template std::optional<Real> exact_answer(const Case<Sphere>&);
-template double unit_of(const Case<Plane>&, std::optional<Real>);
-template double off(const Case<Plane>&, Real, double);
-template Judgment judged(const Case<Plane>&, std::optional<Real>);
-template bool starts_on(const Case<Plane>&);
-template double band(const Case<Plane>&, std::optional<Real>, double);
-template std::optional<Real> exact_answer(const Case<Plane>&);
-template double unit_of(const Case<Triangle>&, std::optional<Real>);
-template double off(const Case<Triangle>&, Real, double);
-template Judgment judged(const Case<Triangle>&, std::optional<Real>);
-template bool starts_on(const Case<Triangle>&);
-template double band(const Case<Triangle>&, std::optional<Real>, double);
-template std::optional<Real> exact_answer(const Case<Triangle>&);
-template double unit_of(const Case<Square>&, std::optional<Real>);
-template double off(const Case<Square>&, Real, double);
-template Judgment judged(const Case<Square>&, std::optional<Real>);
-template bool starts_on(const Case<Square>&);
-template double band(const Case<Square>&, std::optional<Real>, double);
-template std::optional<Real> exact_answer(const Case<Square>&);
-template double unit_of(const Case<Cylinder>&, std::optional<Real>);
-template double off(const Case<Cylinder>&, Real, double);
-template Judgment judged(const Case<Cylinder>&, std::optional<Real>);
-template bool starts_on(const Case<Cylinder>&);
-template double band(const Case<Cylinder>&, std::optional<Real>, double);
-template std::optional<Real> exact_answer(const Case<Cylinder>&);
-template double unit_of(const Case<Cone>&, std::optional<Real>);
-template double off(const Case<Cone>&, Real, double);
-template Judgment judged(const Case<Cone>&, std::optional<Real>);
-template bool starts_on(const Case<Cone>&);
-template double band(const Case<Cone>&, std::optional<Real>, double);
-template std::optional<Real> exact_answer(const Case<Cone>&);
-template double unit_of(const Case<OrientedBox>&, std::optional<Real>);
-template double off(const Case<OrientedBox>&, Real, double);
-template Judgment judged(const Case<OrientedBox>&, std::optional<Real>);
-template bool starts_on(const Case<OrientedBox>&);
-template double band(const Case<OrientedBox>&, std::optional<Real>, double);
-template std::optional<Real> exact_answer(const Case<OrientedBox>&);
+#define RT_JUDGE(Shape)                                                    \
+    template double unit_of(const Case<Shape>&, std::optional<Real>);      \
+    template double off(const Case<Shape>&, Real, double);                 \
+    template Judgment judged(const Case<Shape>&, std::optional<Real>);     \
+    template bool starts_on(const Case<Shape>&);                           \
+    template double band(const Case<Shape>&, std::optional<Real>, double); \
+    template std::optional<Real> exact_answer(const Case<Shape>&);
+
+RT_JUDGE(Sphere)
+RT_JUDGE(Plane)
+RT_JUDGE(Triangle)
+RT_JUDGE(Square)
+RT_JUDGE(Cylinder)
+RT_JUDGE(Cone)
+RT_JUDGE(OrientedBox)
 
 }  // namespace rt

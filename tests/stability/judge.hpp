@@ -5,9 +5,18 @@
 
 #include "tests/stability/sweeps.hpp"
 
+#include "common/explain/text.hpp"
+
 #include <optional>
 
 namespace rt {
+
+/// "Sphere".
+template <class Shape>
+[[nodiscard]] std::string kind_of() {
+    const std::string text = code(Shape{});
+    return text.substr(0, text.find('{'));
+}
 
 /// An answer against the exact one.
 struct Judgment {

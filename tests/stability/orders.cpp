@@ -11,7 +11,6 @@
 #include "steps/step08_cone/all_shapes.hpp"
 #include "steps/step13_meshes/mesh_instance.hpp"
 
-#include <array>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -244,14 +243,6 @@ void ask_near_ties(Random& random, std::size_t kind, std::size_t other_kind, Ord
 }
 
 }  // namespace
-
-bool asks_exactly() {
-#ifdef RT_EXACT
-    return true;
-#else
-    return false;
-#endif
-}
 
 Orders orders_of_near_ties(std::uint64_t times) {
     Orders orders;

@@ -12,9 +12,6 @@ struct Orders {
     std::string where;  ///< the first that was wrong
 };
 
-/// True if the program's ClosestHit is that of `--precision exact`.
-[[nodiscard]] bool asks_exactly();
-
 /// For every pair of kinds, `times` pairs of shapes whose t are 1e-3, ½, 1 and 4 ulps apart, within
 /// rounding: in a list and in a BVH, in either order.
 [[nodiscard]] Orders orders_of_near_ties(std::uint64_t times);

@@ -1,11 +1,12 @@
 // The closest of two shapes less than 4 ulps apart: `--precision exact` is always right, and the
 // references are not, which shows that the test is hard enough.
 #include "tests/stability/orders.hpp"
+#include "tests/stability/promises.hpp"
+#include "tests/stability/sweeps.hpp"
 
 #include "tests/kit/catch.hpp"
 
 #include <cstdio>
-#include <cstdlib>
 
 using namespace rt;
 
@@ -16,7 +17,7 @@ void hold(const char* what, const Orders& orders) {
                 static_cast<unsigned long long>(orders.wrong),
                 static_cast<unsigned long long>(orders.asked));
     INFO(orders.where);
-    if (asks_exactly())
+    if (are_certified())
         CHECK(orders.wrong == 0);
     else
         CHECK(orders.wrong > 0);
@@ -25,9 +26,7 @@ void hold(const char* what, const Orders& orders) {
 }  // namespace
 
 TEST_CASE("of shapes that are a few ulps apart the nearest is hit") {
-    const char* times = std::getenv("RAYSTEPS_STABILITY");
-    hold("near ties",
-         orders_of_near_ties(times == nullptr ? 1 : std::strtoull(times, nullptr, 10)));
+    hold("near ties", orders_of_near_ties(number_from("RAYSTEPS_STABILITY", 1)));
 }
 
 TEST_CASE("of shapes that are equally near the first is hit") {

@@ -41,4 +41,15 @@ inline constexpr Bars promised<Cone> = {.off = 14, .band = 6};
 template <>
 inline constexpr Bars promised<OrientedBox> = {.off = 34, .band = 4};
 
+/// Returns whether the program's kernels are those of `--precision exact`.
+[[nodiscard]] bool are_certified();
+
+/// What is promised for these kernels: no wrong decision of a certified one, and t within the
+/// largest distance that a search found (docs/reference/stability.md); the proved bounds are
+/// larger.
+template <class Shape>
+[[nodiscard]] Bars bars_of() {
+    return are_certified() ? Bars{.band = 0, .ulps = 11} : promised<Shape>;
+}
+
 }  // namespace rt

@@ -1,14 +1,10 @@
-// The references at the extremes, against exact arithmetic: docs/reference/stability.md. Prints its
-// measurements. RAYSTEPS_STABILITY=10 tests ten times as many rays.
+// The references at the extremes, and in exact_test the certified kernels of `--precision exact`,
+// against exact arithmetic: docs/reference/stability.md. Prints its measurements.
+// RAYSTEPS_STABILITY=10 tests ten times as many rays.
 #include "tests/stability/judge.hpp"
 #include "tests/stability/promises.hpp"
 
-#include "steps/step03_sphere/sphere.hpp"
-#include "steps/step04_plane/plane.hpp"
-#include "steps/step05_triangle/triangle.hpp"
-#include "steps/step06_square/square.hpp"
-#include "steps/step07_cylinder/cylinder.hpp"
-#include "steps/step08_cone/cone.hpp"
+#include "steps/step08_cone/all_shapes.hpp"
 #include "steps/step13_meshes/meshes.hpp"
 
 #include "tests/kit/verdict.hpp"
@@ -16,17 +12,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <vector>
 
 using namespace rt;
 
 namespace {
-
-std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
-    const char* said = std::getenv(variable);
-    return said == nullptr ? otherwise : std::strtoull(said, nullptr, 10);
-}
 
 /// One measure over a sweep, and where it was worst.
 struct Measure {
@@ -76,6 +66,17 @@ void measure(Row& row, const Case<Shape>& asked, bool at_end, std::optional<Real
     band_of_kind.add(band(asked, got, band_of_kind.worst), place);
 }
 
+/// So far that a difference from the origin may drop all digits of a point of the shape.
+void go_farther(Random& random, Ray& ray) {
+    ray.origin -= std::pow(Real(10), random.between(8, 18)) * ray.direction;
+}
+
+/// Returns whether a ray of the sweep is tested again in an interval around its hit. From the
+/// surface, 0 is such an end already, and a ray has one move to excuse both.
+bool is_tested_again(Sweep sweep, std::uint64_t ray) {
+    return are_certified() || (sweep != Sweep::surface && sweep != Sweep::mixed && ray % 4 == 0);
+}
+
 template <class Shape>
 Row measured(Sweep sweep) {
     const std::uint64_t seed = number_from("RAYSTEPS_SEED", 2021);
@@ -85,6 +86,8 @@ Row measured(Sweep sweep) {
         Random random(seed + i);
         Case<Shape> asked;
         draw(random, sweep, asked);
+        if (are_certified() && sweep == Sweep::distance && random.coin())
+            go_farther(random, asked.ray);
         const std::string drawn =
             "\n  random:   RAYSTEPS_SEED=" + std::to_string(seed) + ", ray " + std::to_string(i);
         for (int question = 0; question < 2; ++question) {
@@ -92,8 +95,7 @@ Row measured(Sweep sweep) {
             const bool at_end = question > 0 || sweep == Sweep::surface;
             measure(row, asked, at_end, got, drawn);
             ++row.rays;
-            // From the surface, 0 is such an end already, and a ray has one move to excuse both.
-            if (!got || sweep == Sweep::surface || sweep == Sweep::mixed || i % 4 != 0) break;
+            if (!got || !is_tested_again(sweep, i)) break;
             asked.interval = around(random, *got);
         }
     }
@@ -106,30 +108,29 @@ Verdict within(const Measure& measure, double bar, const std::string& what) {
 }
 
 /// Measures the sweeps one by one, prints them and compares them with their bounds.
-template <class Shape>
-void hold(const char* shape, std::initializer_list<Sweep> sweeps) {
-    constexpr Bars bars = promised<Shape>;
+}  // namespace
+
+TEMPLATE_TEST_CASE("shapes at the extremes", "", Sphere, Plane, Triangle, Square, Cylinder, Cone,
+                   OrientedBox) {
+    if (are_certified() && std::is_same_v<TestType, OrientedBox>) return;
+    const Bars bars = bars_of<TestType>();
+    // A t that is as far off as promised may be on the wrong side; a plane's off has no bound.
+    const double end = are_certified() ? 0 : std::isfinite(bars.off) ? bars.off : 8;
+    std::vector<Sweep> sweeps = sweeps_of<TestType>();
+    if (are_certified()) sweeps.push_back(Sweep::range);
     for (const Sweep sweep : sweeps) {
-        Row row = measured<Shape>(sweep);
-        std::printf("| %s | %s | %.2f | %.2f | %.2f | %.2f | %.2g | %.2g | %.0f |\n", shape,
-                    name(sweep).c_str(), row.off.typical(), row.off.worst, row.band.worst,
-                    row.end.worst, row.ulps.typical(), row.ulps.worst,
-                    1e6 * double(row.wrong) / double(row.rays));
+        Row row = measured<TestType>(sweep);
+        std::printf("| %s | %s | %.2f | %.2f | %.2f | %.2f | %.2g | %.2g | %.0f |\n",
+                    kind_of<TestType>().c_str(), name(sweep).c_str(), row.off.typical(),
+                    row.off.worst, row.band.worst, row.end.worst, row.ulps.typical(),
+                    row.ulps.worst, 1e6 * double(row.wrong) / double(row.rays));
         std::fflush(stdout);
         CHECK(within(row.off, bars.off, name(sweep) + ": off the surface, in u L:"));
         CHECK(within(row.band, bars.band, name(sweep) + ": the ray must be moved, in u L:"));
-        // A t that is as far off as promised may be on the wrong side; a plane's off has no bound.
-        CHECK(within(row.end, std::isfinite(bars.off) ? bars.off : 8.0,
+        CHECK(within(row.end, end,
                      name(sweep) + ": beside an end of the interval, the ray must be moved:"));
         CHECK(within(row.ulps, bars.ulps, name(sweep) + ": ulps of t:"));
     }
-}
-
-}  // namespace
-
-TEST_CASE("spheres at the extremes") {
-    hold<Sphere>("sphere", {Sweep::moderate, Sweep::distance, Sweep::grazing, Sweep::offset,
-                            Sweep::scale, Sweep::speed, Sweep::surface, Sweep::mixed});
 }
 
 TEST_CASE("a sphere's roots from its surface, along it, are no quotients of rounding errors") {
@@ -177,22 +178,7 @@ TEST_CASE("a ray from the surface of a cylinder or a cone hits only its other si
     }
 }
 
-TEST_CASE("planes at the extremes") {
-    hold<Plane>("plane", {Sweep::moderate, Sweep::distance, Sweep::grazing, Sweep::offset,
-                          Sweep::scale, Sweep::speed, Sweep::surface, Sweep::mixed});
-}
-
-TEST_CASE("triangles at the extremes") {
-    hold<Triangle>("triangle", {Sweep::moderate, Sweep::distance, Sweep::grazing, Sweep::offset,
-                                Sweep::scale, Sweep::speed, Sweep::border, Sweep::point,
-                                Sweep::sliver, Sweep::surface, Sweep::mixed});
-}
-
-TEST_CASE("squares at the extremes") {
-    hold<Square>("square",
-                 {Sweep::moderate, Sweep::distance, Sweep::grazing, Sweep::offset, Sweep::scale,
-                  Sweep::speed, Sweep::border, Sweep::point, Sweep::surface, Sweep::mixed});
-    // A ray that starts much nearer than the side is long, as in no sweep.
+TEST_CASE("a ray that starts much nearer than a square's side is long, as in no sweep") {
     const Case<Square> near{
         .ray = {{Real(-1.4350641164736544), Real(-4.343630180230489), Real(5.530113892749623)},
                 {Real(0.21327073823827608), Real(-0.8606788088733925), Real(-1.11573869331664)}},
@@ -237,18 +223,6 @@ TEST_CASE("a ray parallel to a square up to rounding, and beside it, misses") {
         CHECK(within(row.off, 6, "off the surface, in u L:"));
         CHECK(within(row.end, 6, "the ray must be moved, in u L:"));
     }
-}
-
-TEST_CASE("cylinders at the extremes") {
-    hold<Cylinder>("cylinder",
-                   {Sweep::moderate, Sweep::distance, Sweep::grazing, Sweep::offset, Sweep::scale,
-                    Sweep::speed, Sweep::border, Sweep::parallel, Sweep::surface, Sweep::mixed});
-}
-
-TEST_CASE("cones at the extremes") {
-    hold<Cone>("cone", {Sweep::moderate, Sweep::distance, Sweep::grazing, Sweep::offset,
-                        Sweep::scale, Sweep::speed, Sweep::border, Sweep::point, Sweep::parallel,
-                        Sweep::surface, Sweep::mixed});
 }
 
 namespace {
@@ -335,12 +309,6 @@ TEST_CASE("a direction as short or as long as the range allows hits a sphere and
             CHECK(hits(ray, Sphere{.center = {0, 0, 0}, .radius = radius}, radius / speed));
             CHECK(hits(ray, Cylinder{{0, 0, 0}, {0, 1, 0}, radius, radius}, radius / speed));
         }
-}
-
-TEST_CASE("oriented boxes at the extremes") {
-    hold<OrientedBox>(
-        "box", {Sweep::moderate, Sweep::distance, Sweep::grazing, Sweep::offset, Sweep::scale,
-                Sweep::speed, Sweep::border, Sweep::point, Sweep::surface, Sweep::mixed});
 }
 
 TEST_CASE("a ray through a cone's apex from behind hits it, though rounding is behind it") {

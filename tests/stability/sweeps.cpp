@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 namespace rt {
 
@@ -380,8 +381,44 @@ Real draw_mixed(Random& random, Case<Shape>& drawn) {
     return line.beside;
 }
 
+}  // namespace
+
+Interval around(Random& random, Real t) {
+    const Real end = t * (1 + Real(random.below(33) - 16) * unit_roundoff);
+    if (random.coin()) return {.min = end};
+    return {.max = end};
+}
+
+std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
+    const char* said = std::getenv(variable);
+    return said == nullptr ? otherwise : std::strtoull(said, nullptr, 10);
+}
+
+std::string name(Sweep sweep) {
+    const std::array names = {"moderate", "distance", "grazing", "offset",   "scale",
+                              "speed",    "border",   "point",   "parallel", "sliver",
+                              "surface",  "range",    "mixed"};
+    return names[std::size_t(sweep)];
+}
+
 template <class Shape>
-Real draw_case(Random& random, Sweep sweep, Case<Shape>& drawn) {
+std::vector<Sweep> sweeps_of() {
+    std::vector<Sweep> sweeps = {Sweep::moderate, Sweep::distance, Sweep::grazing,
+                                 Sweep::offset,   Sweep::scale,    Sweep::speed};
+    if constexpr (requires(Random & random, Shape & shape) { border(random, shape); })
+        sweeps.push_back(Sweep::border);
+    if constexpr (requires(Random & random, Shape & shape) { corner(random, shape); })
+        sweeps.push_back(Sweep::point);
+    if constexpr (requires(Random & random, Shape & shape) { parallel(random, shape); })
+        sweeps.push_back(Sweep::parallel);
+    if constexpr (requires(Random & random, Shape & shape) { narrow(random, shape); })
+        sweeps.push_back(Sweep::sliver);
+    sweeps.insert(sweeps.end(), {Sweep::surface, Sweep::mixed});
+    return sweeps;
+}
+
+template <class Shape>
+Real draw(Random& random, Sweep sweep, Case<Shape>& drawn) {
     if (sweep == Sweep::mixed) return draw_mixed(random, drawn);
     draw(random, drawn.shape);
     if constexpr (requires { narrow(random, drawn.shape); })
@@ -404,47 +441,16 @@ Real draw_case(Random& random, Sweep sweep, Case<Shape>& drawn) {
     return line.beside;
 }
 
-}  // namespace
+#define RT_SWEEPS(Shape)                            \
+    template std::vector<Sweep> sweeps_of<Shape>(); \
+    template Real draw(Random&, Sweep, Case<Shape>&);
 
-Interval around(Random& random, Real t) {
-    const Real end = t * (1 + Real(random.below(33) - 16) * unit_roundoff);
-    if (random.coin()) return {.min = end};
-    return {.max = end};
-}
-
-std::string name(Sweep sweep) {
-    const std::array names = {"moderate", "distance", "grazing", "offset",   "scale",
-                              "speed",    "border",   "point",   "parallel", "sliver",
-                              "surface",  "range",    "mixed"};
-    return names[std::size_t(sweep)];
-}
-
-Real draw(Random& random, Sweep sweep, Case<Sphere>& sphere) {
-    return draw_case(random, sweep, sphere);
-}
-
-Real draw(Random& random, Sweep sweep, Case<Plane>& plane) {
-    return draw_case(random, sweep, plane);
-}
-
-Real draw(Random& random, Sweep sweep, Case<Triangle>& triangle) {
-    return draw_case(random, sweep, triangle);
-}
-
-Real draw(Random& random, Sweep sweep, Case<Square>& square) {
-    return draw_case(random, sweep, square);
-}
-
-Real draw(Random& random, Sweep sweep, Case<Cylinder>& cylinder) {
-    return draw_case(random, sweep, cylinder);
-}
-
-Real draw(Random& random, Sweep sweep, Case<Cone>& cone) {
-    return draw_case(random, sweep, cone);
-}
-
-Real draw(Random& random, Sweep sweep, Case<OrientedBox>& box) {
-    return draw_case(random, sweep, box);
-}
+RT_SWEEPS(Sphere)
+RT_SWEEPS(Plane)
+RT_SWEEPS(Triangle)
+RT_SWEEPS(Square)
+RT_SWEEPS(Cylinder)
+RT_SWEEPS(Cone)
+RT_SWEEPS(OrientedBox)
 
 }  // namespace rt

@@ -12,7 +12,9 @@
 #include "common/geometry/triangle.hpp"
 #include "tests/kit/random.hpp"
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace rt {
 
@@ -34,6 +36,9 @@ enum class Sweep {
 
 [[nodiscard]] std::string name(Sweep sweep);
 
+/// The number in an environment variable, if it is set.
+[[nodiscard]] std::uint64_t number_from(const char* variable, std::uint64_t otherwise);
+
 template <class Shape>
 struct Case {
     Ray ray;
@@ -41,16 +46,16 @@ struct Case {
     Interval interval = {};
 };
 
-// Each draws one case of the sweep. It returns by how much the ray is meant to pass a silhouette,
-// or to lean on a face; 0 if it is not.
+// Each template is instantiated for the seven shapes of the exercises.
 
-Real draw(Random& random, Sweep sweep, Case<Sphere>& sphere);
-Real draw(Random& random, Sweep sweep, Case<Plane>& plane);
-Real draw(Random& random, Sweep sweep, Case<Triangle>& triangle);
-Real draw(Random& random, Sweep sweep, Case<Square>& square);
-Real draw(Random& random, Sweep sweep, Case<Cylinder>& cylinder);
-Real draw(Random& random, Sweep sweep, Case<Cone>& cone);
-Real draw(Random& random, Sweep sweep, Case<OrientedBox>& box);
+/// The sweeps that take a part of this shape to an extreme, but for `range`.
+template <class Shape>
+[[nodiscard]] std::vector<Sweep> sweeps_of();
+
+/// Draws one case of the sweep. Returns by how much the ray is meant to pass a silhouette, or to
+/// lean on a face; 0 if it is not.
+template <class Shape>
+Real draw(Random& random, Sweep sweep, Case<Shape>& drawn);
 
 /// An interval that ends or begins a few ulps from there, where a decision is hardest.
 [[nodiscard]] Interval around(Random& random, Real t);
