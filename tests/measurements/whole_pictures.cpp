@@ -20,18 +20,25 @@
 #include "common/program/load_meshes.hpp"
 #include "common/render/render.hpp"
 #include "common/scene_file/reader.hpp"
+#include "common/system/countdown.hpp"
+#include "common/system/process.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 
-#include "tests/measurements/child_process.hpp"
 #include "tests/measurements/peer_scenes.hpp"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -62,17 +69,62 @@ struct Picture {
     Seconds tachyon_setup;
 };
 
+/// The CPU seconds of a program.
+double cost_of(const rt::Command& command) {
+    const rt::ProcessResult result = rt::run_captured(command, std::chrono::hours(1));
+    if (result.status != 0) throw std::runtime_error(command.front() + " failed");
+    return result.processor_seconds;
+}
+
+/// Seconds of this process, so far: of all its threads, and of the clock.
+struct Usage {
+    double cpu = rt::cpu_seconds();
+    double wall =
+        std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+};
+
+/// Calls the work in a separate process, so that it starts with nothing built and nothing cached,
+/// and returns the cost of each step: a step ends when the work calls its argument.
+std::vector<Usage> run_apart(
+    const std::function<void(const std::function<void()>& step_done)>& work) {
+    std::array<int, 2> ends{};
+    if (pipe(ends.data()) != 0) throw std::runtime_error("cannot create a pipe");
+    std::fflush(nullptr);  // otherwise the child would print the buffered output again
+    const pid_t child = fork();
+    if (child == 0) {
+        try {
+            Usage before;
+            work([&] {
+                const Usage now;
+                const Usage step{.cpu = now.cpu - before.cpu, .wall = now.wall - before.wall};
+                if (write(ends[1], &step, sizeof step) != sizeof step) _exit(1);
+                before = now;
+            });
+        } catch (const std::exception& error) {
+            std::fprintf(stderr, "%s\n", error.what());
+            _exit(1);
+        }
+        _exit(0);
+    }
+    close(ends[1]);
+    std::vector<Usage> steps;
+    for (Usage step; read(ends[0], &step, sizeof step) == sizeof step;) steps.push_back(step);
+    close(ends[0]);
+    int status = -1;
+    if (waitpid(child, &status, 0) != child || status != 0)
+        throw std::runtime_error("the separate process failed");
+    return steps;
+}
+
 double povray(const Picture& picture, rt::Resolution size) {
-    return run({"povray", "-D", "-V", "-F", "+WT1", "+I" + picture.stem + ".pov",
-                "+W" + std::to_string(size.width), "+H" + std::to_string(size.height)})
-        .cpu;
+    return cost_of({"povray", "-D", "-V", "-F", "+WT1", "+I" + picture.stem + ".pov",
+                    "+W" + std::to_string(size.width), "+H" + std::to_string(size.height)});
 }
 
 double tachyon(const Picture& picture, rt::Resolution size) {
-    return run({"tachyon", picture.stem + ".dat", "-res", std::to_string(size.width),
-                std::to_string(size.height), "-numthreads", "1", "-shade_phong", "-format", "PPM",
-                "-o", "/dev/null"})
-        .cpu;
+    return cost_of({"tachyon", picture.stem + ".dat", "-res", std::to_string(size.width),
+                    std::to_string(size.height), "-numthreads", "1", "-shade_phong", "-format",
+                    "PPM", "-o", "/dev/null"});
 }
 
 /// Two steps: reading and building, then tracing.

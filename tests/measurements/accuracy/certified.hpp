@@ -4,14 +4,16 @@
 #include "tests/measurements/accuracy/forms.hpp"
 
 #ifndef RT_FLOAT
-namespace rt {
+namespace certified::rt {
 
-[[nodiscard]] std::vector<Form<Sphere>> certified_forms_of(const Sphere& shape);
-[[nodiscard]] std::vector<Form<Plane>> certified_forms_of(const Plane& shape);
-[[nodiscard]] std::vector<Form<Triangle>> certified_forms_of(const Triangle& shape);
-[[nodiscard]] std::vector<Form<Square>> certified_forms_of(const Square& shape);
-[[nodiscard]] std::vector<Form<Cylinder>> certified_forms_of(const Cylinder& shape);
-[[nodiscard]] std::vector<Form<Cone>> certified_forms_of(const Cone& shape);
+using namespace ::rt;
 
-}  // namespace rt
+std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval interval);
+std::optional<Real> intersect(const Ray& ray, const Plane& plane, Interval interval);
+std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval interval);
+std::optional<Real> intersect(const Ray& ray, const Square& square, Interval interval);
+std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder, Interval interval);
+std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interval);
+
+}  // namespace certified::rt
 #endif

@@ -5,7 +5,6 @@
 #include "tests/kit/random.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numeric>

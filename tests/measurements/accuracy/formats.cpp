@@ -173,10 +173,10 @@ void measure_sphere() {
     ask("double", textbook<double>);
     ask("double and Kahan's discriminant", kahan<double>);
     ask("two doubles", textbook<Twice<double>>);
-    const Form<Sphere> certified = certified_forms_of(Sphere{}).front();
-    ask("exact decisions", [&](const Question& q) {
+    ask("exact decisions", [](const Question& q) {
         const Ray ray{{q.f[0], q.f[1], q.f[2]}, {q.d[0], q.d[1], q.d[2]}};
-        return certified.intersect(ray, Sphere{.center = {0, 0, 0}, .radius = 1}, {}).value_or(NAN);
+        const Sphere sphere{.center = {0, 0, 0}, .radius = 1};
+        return certified::rt::intersect(ray, sphere, {}).value_or(NAN);
     });
 }
 

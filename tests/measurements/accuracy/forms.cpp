@@ -1,4 +1,4 @@
-// Every form is in a namespace of its own, so that one program can contain all of them. The
+// Forms of one shape are in different namespaces, so that one program can contain all of them. The
 // includes of a form are included before: inside the namespace they would declare different things.
 #include "tests/measurements/accuracy/forms.hpp"
 #include "tests/measurements/accuracy/certified.hpp"
@@ -7,12 +7,7 @@
 #include "common/math/vector.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
-#include "steps/step03_sphere/sphere.hpp"
-#include "steps/step04_plane/plane.hpp"
-#include "steps/step05_triangle/triangle.hpp"
-#include "steps/step06_square/square.hpp"
-#include "steps/step07_cylinder/cylinder.hpp"
-#include "steps/step08_cone/cone.hpp"
+#include "steps/step08_cone/all_shapes.hpp"
 
 #define GLM_ENABLE_EXPERIMENTAL
 #include <glm/gtx/intersect.hpp>
@@ -26,180 +21,60 @@
 #define barycentric own_barycentric
 #define square_uv own_square_uv
 
-namespace sphere_textbook {
+namespace textbook {
 namespace rt {
 using namespace ::rt;
 }
 #include "answers/step03_sphere/textbook.cpp"
-}  // namespace sphere_textbook
+#include "answers/step04_plane/as_printed.cpp"
+#include "answers/step05_triangle/moller_trumbore.cpp"
+#include "answers/step06_square/own_basis.cpp"
+#include "answers/step07_cylinder/as_printed.cpp"
+#include "answers/step08_cone/textbook.cpp"
+}  // namespace textbook
 
-namespace sphere_citardauq {
-namespace rt {
-using namespace ::rt;
-}
-#include "answers/step03_sphere/citardauq.cpp"
-}  // namespace sphere_citardauq
-
-namespace sphere_geometric {
-namespace rt {
-using namespace ::rt;
-}
-#include "answers/step03_sphere/geometric.cpp"
-}  // namespace sphere_geometric
-
-namespace sphere_epsilon {
+namespace epsilon {
 namespace rt {
 using namespace ::rt;
 }
 #include "answers/step03_sphere/absolute_epsilon.cpp"
-}  // namespace sphere_epsilon
-
-namespace plane_as_printed {
-namespace rt {
-using namespace ::rt;
-}
-#include "answers/step04_plane/as_printed.cpp"
-}  // namespace plane_as_printed
-
-namespace plane_implicit {
-namespace rt {
-using namespace ::rt;
-}
-#include "answers/step04_plane/implicit.cpp"
-}  // namespace plane_implicit
-
-namespace plane_unit_direction {
-namespace rt {
-using namespace ::rt;
-}
-#include "answers/step04_plane/unit_direction.cpp"
-}  // namespace plane_unit_direction
-
-namespace plane_epsilon {
-namespace rt {
-using namespace ::rt;
-}
 #include "answers/step04_plane/epsilon_on_parallel.cpp"
-}  // namespace plane_epsilon
-
-namespace triangle_moller_trumbore {
-namespace rt {
-using namespace ::rt;
-}
-#include "answers/step05_triangle/moller_trumbore.cpp"
-}  // namespace triangle_moller_trumbore
-
-namespace triangle_half_planes {
-namespace rt {
-using namespace ::rt;
-}
-#include "answers/step05_triangle/half_planes.cpp"
-}  // namespace triangle_half_planes
-
-namespace triangle_signed_areas {
-namespace rt {
-using namespace ::rt;
-}
-#include "answers/step05_triangle/signed_areas.cpp"
-}  // namespace triangle_signed_areas
-
-namespace triangle_epsilon {
-namespace rt {
-using namespace ::rt;
-}
 #include "answers/step05_triangle/epsilon_on_determinant.cpp"
-}  // namespace triangle_epsilon
+#include "answers/step06_square/epsilon_on_parallel.cpp"
+#include "answers/step07_cylinder/epsilon_on_a.cpp"
+#include "answers/step08_cone/epsilon_on_a.cpp"
+}  // namespace epsilon
 
-namespace triangle_glm {
+namespace second {
+namespace rt {
+using namespace ::rt;
+}
+#include "answers/step03_sphere/citardauq.cpp"
+#include "answers/step04_plane/implicit.cpp"
+#include "answers/step05_triangle/half_planes.cpp"
+#include "answers/step06_square/by_uv.cpp"
+#include "answers/step07_cylinder/axis_taken_away.cpp"
+#include "answers/step08_cone/by_cosine.cpp"
+}  // namespace second
+
+namespace third {
+namespace rt {
+using namespace ::rt;
+}
+#include "answers/step03_sphere/geometric.cpp"
+#include "answers/step04_plane/unit_direction.cpp"
+#include "answers/step05_triangle/signed_areas.cpp"
+#include "answers/step06_square/edge_tests.cpp"
+#include "answers/step07_cylinder/in_its_frame.cpp"
+#include "answers/step08_cone/in_its_frame.cpp"
+}  // namespace third
+
+namespace glm_own {
 namespace rt {
 using namespace ::rt;
 }
 #include "answers/step05_triangle/glm_intersect_ray_triangle.cpp"
-}  // namespace triangle_glm
-
-namespace square_own_basis {
-namespace rt {
-using namespace ::rt;
-}
-#include "answers/step06_square/own_basis.cpp"
-}  // namespace square_own_basis
-
-namespace square_by_uv {
-namespace rt {
-using namespace ::rt;
-}
-#include "answers/step06_square/by_uv.cpp"
-}  // namespace square_by_uv
-
-namespace square_edge_tests {
-namespace rt {
-using namespace ::rt;
-}
-#include "answers/step06_square/edge_tests.cpp"
-}  // namespace square_edge_tests
-
-namespace square_epsilon {
-namespace rt {
-using namespace ::rt;
-}
-#include "answers/step06_square/epsilon_on_parallel.cpp"
-}  // namespace square_epsilon
-
-namespace cylinder_as_printed {
-namespace rt {
-using namespace ::rt;
-}
-#include "answers/step07_cylinder/as_printed.cpp"
-}  // namespace cylinder_as_printed
-
-namespace cylinder_axis_taken_away {
-namespace rt {
-using namespace ::rt;
-}
-#include "answers/step07_cylinder/axis_taken_away.cpp"
-}  // namespace cylinder_axis_taken_away
-
-namespace cylinder_in_its_frame {
-namespace rt {
-using namespace ::rt;
-}
-#include "answers/step07_cylinder/in_its_frame.cpp"
-}  // namespace cylinder_in_its_frame
-
-namespace cylinder_epsilon {
-namespace rt {
-using namespace ::rt;
-}
-#include "answers/step07_cylinder/epsilon_on_a.cpp"
-}  // namespace cylinder_epsilon
-
-namespace cone_textbook {
-namespace rt {
-using namespace ::rt;
-}
-#include "answers/step08_cone/textbook.cpp"
-}  // namespace cone_textbook
-
-namespace cone_by_cosine {
-namespace rt {
-using namespace ::rt;
-}
-#include "answers/step08_cone/by_cosine.cpp"
-}  // namespace cone_by_cosine
-
-namespace cone_in_its_frame {
-namespace rt {
-using namespace ::rt;
-}
-#include "answers/step08_cone/in_its_frame.cpp"
-}  // namespace cone_in_its_frame
-
-namespace cone_epsilon {
-namespace rt {
-using namespace ::rt;
-}
-#include "answers/step08_cone/epsilon_on_a.cpp"
-}  // namespace cone_epsilon
+}  // namespace glm_own
 
 namespace rt {
 
@@ -207,91 +82,69 @@ namespace {
 
 std::vector<Form<Sphere>> plain_forms_of(const Sphere& /*shape*/) {
     return {{"reference", intersect},
-            {"PHY: A B C", sphere_textbook::rt::intersect},
-            {"q and c / q", sphere_citardauq::rt::intersect},
-            {"half a chord", sphere_geometric::rt::intersect},
-            {"Δ > 1e-6", sphere_epsilon::rt::intersect}};
+            {"PHY: A B C", textbook::rt::intersect},
+            {"q and c / q", second::rt::intersect},
+            {"half a chord", third::rt::intersect},
+            {"Δ > 1e-6", epsilon::rt::intersect}};
 }
 
 std::vector<Form<Plane>> plain_forms_of(const Plane& /*shape*/) {
     return {{"reference", intersect},
-            {"MRT §4", plane_as_printed::rt::intersect},
-            {"PHY: a x + … + d", plane_implicit::rt::intersect},
-            {"unit direction", plane_unit_direction::rt::intersect},
-            {"epsilon on ⟨d n⟩", plane_epsilon::rt::intersect}};
+            {"MRT §4", textbook::rt::intersect},
+            {"PHY: a x + … + d", second::rt::intersect},
+            {"unit direction", third::rt::intersect},
+            {"epsilon on ⟨d n⟩", epsilon::rt::intersect}};
 }
 
 std::vector<Form<Triangle>> plain_forms_of(const Triangle& /*shape*/) {
     return {{"reference", intersect},
-            {"M1: Möller–Trumbore", triangle_moller_trumbore::rt::intersect},
-            {"MRT §5: half-planes", triangle_half_planes::rt::intersect},
-            {"CR §4.1: areas", triangle_signed_areas::rt::intersect},
-            {"M1 if det > 1e-6", triangle_epsilon::rt::intersect},
-            {"GLM's own", triangle_glm::rt::intersect}};
+            {"M1: Möller–Trumbore", textbook::rt::intersect},
+            {"MRT §5: half-planes", second::rt::intersect},
+            {"CR §4.1: areas", third::rt::intersect},
+            {"M1 if det > 1e-6", epsilon::rt::intersect},
+            {"GLM's own", glm_own::rt::intersect}};
 }
 
 std::vector<Form<Square>> plain_forms_of(const Square& /*shape*/) {
     return {{"reference", intersect},
-            {"MRT §6", square_own_basis::rt::intersect},
-            {"HAI: u and v", square_by_uv::rt::intersect},
-            {"CR §2.3: edges", square_edge_tests::rt::intersect},
-            {"epsilon on ⟨d Z⟩", square_epsilon::rt::intersect}};
+            {"MRT §6", textbook::rt::intersect},
+            {"HAI: u and v", second::rt::intersect},
+            {"CR §2.3: edges", third::rt::intersect},
+            {"epsilon on ⟨d Z⟩", epsilon::rt::intersect}};
 }
 
 std::vector<Form<Cylinder>> plain_forms_of(const Cylinder& /*shape*/) {
     return {{"reference", intersect},
-            {"MRT §7", cylinder_as_printed::rt::intersect},
-            {"axis taken away", cylinder_axis_taken_away::rt::intersect},
-            {"in its frame", cylinder_in_its_frame::rt::intersect},
-            {"epsilon on a", cylinder_epsilon::rt::intersect}};
+            {"MRT §7", textbook::rt::intersect},
+            {"axis taken away", second::rt::intersect},
+            {"in its frame", third::rt::intersect},
+            {"epsilon on a", epsilon::rt::intersect}};
 }
 
 std::vector<Form<Cone>> plain_forms_of(const Cone& /*shape*/) {
     return {{"reference", intersect},
-            {"MRT §8", cone_textbook::rt::intersect},
-            {"by cosine", cone_by_cosine::rt::intersect},
-            {"in its frame", cone_in_its_frame::rt::intersect},
-            {"epsilon on a", cone_epsilon::rt::intersect}};
-}
-
-#ifdef RT_FLOAT
-template <class Shape>
-std::vector<Form<Shape>> certified_forms_of(const Shape& /*shape*/) {
-    return {};
-}
-#endif
-
-template <class Shape>
-std::vector<Form<Shape>> all_forms_of(const Shape& shape) {
-    std::vector<Form<Shape>> forms = plain_forms_of(shape);
-    for (const Form<Shape>& form : certified_forms_of(shape)) forms.push_back(form);
-    return forms;
+            {"MRT §8", textbook::rt::intersect},
+            {"by cosine", second::rt::intersect},
+            {"in its frame", third::rt::intersect},
+            {"epsilon on a", epsilon::rt::intersect}};
 }
 
 }  // namespace
 
-std::vector<Form<Sphere>> forms_of(const Sphere& shape) {
-    return all_forms_of(shape);
+template <class Shape>
+std::vector<Form<Shape>> forms_of(const Shape& shape) {
+    std::vector<Form<Shape>> forms = plain_forms_of(shape);
+#ifndef RT_FLOAT
+    forms.push_back({"certified", certified::rt::intersect, "exact"});
+#endif
+    return forms;
 }
 
-std::vector<Form<Plane>> forms_of(const Plane& shape) {
-    return all_forms_of(shape);
-}
-
-std::vector<Form<Triangle>> forms_of(const Triangle& shape) {
-    return all_forms_of(shape);
-}
-
-std::vector<Form<Square>> forms_of(const Square& shape) {
-    return all_forms_of(shape);
-}
-
-std::vector<Form<Cylinder>> forms_of(const Cylinder& shape) {
-    return all_forms_of(shape);
-}
-
-std::vector<Form<Cone>> forms_of(const Cone& shape) {
-    return all_forms_of(shape);
-}
+template std::vector<Form<Sphere>> forms_of(const Sphere&);
+template std::vector<Form<Plane>> forms_of(const Plane&);
+template std::vector<Form<Triangle>> forms_of(const Triangle&);
+template std::vector<Form<Square>> forms_of(const Square&);
+template std::vector<Form<Cylinder>> forms_of(const Cylinder&);
+template std::vector<Form<Cone>> forms_of(const Cone&);
 
 }  // namespace rt

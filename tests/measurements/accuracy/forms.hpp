@@ -28,19 +28,11 @@ struct Form {
 };
 
 }  // namespace RT_PRECISION
-}  // namespace rt
 
-namespace rt {
-
-// For each shape: the reference first, then the textbook's form, the unit of costs, then the
-// others.
-
-[[nodiscard]] std::vector<Form<Sphere>> forms_of(const Sphere& shape);
-[[nodiscard]] std::vector<Form<Plane>> forms_of(const Plane& shape);
-[[nodiscard]] std::vector<Form<Triangle>> forms_of(const Triangle& shape);
-[[nodiscard]] std::vector<Form<Square>> forms_of(const Square& shape);
-[[nodiscard]] std::vector<Form<Cylinder>> forms_of(const Cylinder& shape);
-[[nodiscard]] std::vector<Form<Cone>> forms_of(const Cone& shape);
+/// For each shape: the reference first, then the textbook's form, the unit of costs, then the
+/// others.
+template <class Shape>
+[[nodiscard]] std::vector<Form<Shape>> forms_of(const Shape& shape);
 
 /// Calls `study` with each shape's name and a shape of its kind.
 template <class Study>

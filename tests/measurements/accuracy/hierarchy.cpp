@@ -1,6 +1,5 @@
 // The closest of 1 to 512 spheres, for rays among them: in a plain list, in a list with bounding
 // spheres, and in a BVH.
-#include "common/geometry/bounds.hpp"
 #include "common/scene/primitives.hpp"
 #include "common/system/countdown.hpp"
 
