@@ -160,6 +160,12 @@ Light changed(Light light, const Change& change, const Transform& transform) {
     return light;
 }
 
+Ambient changed(Ambient light, const Change& change, const Transform& /*transform*/) {
+    light.ratio *= change.light;
+    light.color = exchanged(light.color, change);
+    return light;
+}
+
 namespace {
 
 /// A normal's color has no signs, so that no rotation but that of axes can be undone.

@@ -69,6 +69,7 @@ void draw_change(const std::string& name, bool exact);
 [[nodiscard]] ShadingPoint changed(ShadingPoint surface, const Change& change,
                                    const Transform& transform);
 [[nodiscard]] Light changed(Light light, const Change& change, const Transform& transform);
+[[nodiscard]] Ambient changed(Ambient light, const Change& change, const Transform& transform);
 
 // The change of a scene of one pixel, and of the color that `trace` returns for it; and that of a
 // picture without shapes.

@@ -46,4 +46,23 @@ Vec3 ask_normal(const Shape& shape, Vec3 point) {
         now->any);
 }
 
+/// Numbers that tell where a point is in a shape, after the case's change.
+template <int Stage, Word Name, class Shape>
+auto ask_place(const Shape& shape, Vec3 point) {
+    const Change* const now = change();
+    if (now == nullptr) return ask<Stage, Name>(shape, point);
+    return ask<Stage, Name>(rt::transformed(shape, now->any), rt::transformed(point, now->any));
+}
+
+/// The color of a surface in a light, after the case's change.
+template <int Stage, Word Name, class AnyLight>
+Color ask_color(const ShadingPoint& surface, const AnyLight& light) {
+    const Change* const now = change();
+    if (now == nullptr) return ask<Stage, Name>(surface, light);
+    return exchanged_back(
+               ask<Stage, Name>(changed(surface, *now, now->any), changed(light, *now, now->any)),
+               *now) /
+           now->light;
+}
+
 }  // namespace rt::contract

@@ -25,7 +25,6 @@
 #include <fstream>
 #include <memory>
 #include <mutex>
-#include <thread>
 
 namespace rt::contract {
 

@@ -2,8 +2,6 @@
 // must compile, its checks must pass, and its answers must be the reference's.
 #include "tests/documents/page.hpp"
 
-#include <iostream>
-
 namespace {
 
 constexpr const char* head = R"(#include "steps/step05_triangle/triangle.hpp"

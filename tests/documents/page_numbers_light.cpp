@@ -1,7 +1,6 @@
 // The numbers of the pages on light, shadows and mirrors.
 #include "common/program/load_meshes.hpp"
 
-#include "common/program/options.hpp"
 #include "common/render/sampling.hpp"
 #include "common/render/stage.hpp"
 #include "common/scene_file/reader.hpp"
@@ -18,7 +17,6 @@
 #include "tests/kit/picture.hpp"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <future>
 #include <random>

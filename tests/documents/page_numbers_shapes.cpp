@@ -17,7 +17,6 @@
 #include "tests/kit/picture.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <sstream>
 

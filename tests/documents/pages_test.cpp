@@ -1,7 +1,6 @@
 // Every number that a page prints is computed again: numbers with a decimal point, a percent or
 // degree sign, or a comma between thousands, and some whole numbers. A printed number that is not
 // computed fails, and so does a computed one that is not printed.
-#include "steps/step12_mirror/mirror.hpp"
 
 #include "tests/documents/page.hpp"
 #include "tests/documents/page_numbers.hpp"

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
+#include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
@@ -25,7 +26,6 @@
 #include <map>
 #include <string>
 #include <system_error>
-#include <thread>
 #include <vector>
 
 extern char** environ;

@@ -13,7 +13,6 @@
 #include "tests/grading/reports_class.hpp"
 #include "tests/kit/catch.hpp"
 
-#include <algorithm>
 #include <regex>
 
 namespace rt::grade {

@@ -24,7 +24,6 @@ using Listener = Catch::TestEventListenerBase;
 using Answer = bool;
 #endif
 
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>

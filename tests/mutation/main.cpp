@@ -108,7 +108,7 @@ void count(Tally& tally, const std::string& stage, const Mutant& mutant, const S
 
 Tally mutate(const std::string& stage, const std::vector<Survivor>& listed,
              const Options& options) {
-    const std::string reference = content_of(reference_of(stage));
+    const std::string reference = rt::read_text(reference_of(stage));
     std::vector<Mutant> mutants = mutants_of(reference);
     Tally tally;
     tally.wrongly_listed = print_gone(stage, mutants, listed);

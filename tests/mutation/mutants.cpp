@@ -1,6 +1,6 @@
 #include "tests/mutation/mutants.hpp"
 
-#include "tests/mutation/workshop.hpp"
+#include "common/system/files.hpp"
 
 #include <algorithm>
 #include <array>
@@ -346,7 +346,7 @@ std::pair<std::string, std::string> parted(const std::string& line, const std::s
 }  // namespace
 
 std::vector<Survivor> read_survivors(const std::filesystem::path& file) {
-    std::istringstream lines(content_of(file));
+    std::istringstream lines(rt::read_text(file));
     std::vector<Survivor> survivors;
     Survivor next;
     std::size_t without_reason = 0;  // the first one

@@ -65,7 +65,7 @@ std::string includes_of(const std::string& source) {
 std::vector<std::string> cases_in(const std::filesystem::path& report, bool passed_too) {
     std::vector<std::string> cases;
     if (!std::filesystem::exists(report)) return cases;
-    std::istringstream lines(content_of(report));
+    std::istringstream lines(rt::read_text(report));
     for (std::string line; std::getline(lines, line);) {
         if (line.starts_with("case ")) cases.push_back(line.substr(5));
         if (line == "passed" && !passed_too) cases.pop_back();
@@ -78,20 +78,17 @@ std::vector<std::string> cases_in(const std::filesystem::path& report, bool pass
 BuildDirectory::BuildDirectory(const std::string& stage, const std::string& reference,
                                bool every_case) {
     const std::filesystem::path folder = RAYSTEPS_MUTATION_FOLDER;
-    work_ = folder / (stage + "." + std::to_string(getpid()));
-    std::filesystem::create_directories(work_);
-    source_ = work_ / "mutant.cpp";
-    report_ = work_ / "report";
     if (!every_case) suite_options_ = {"--abort"};
     setenv("RAYSTEPS_REPORT", report_.c_str(), 1);
     // found before the reference's library, whose path is built in
-    setenv("LD_LIBRARY_PATH", work_.c_str(), 1);
+    setenv("LD_LIBRARY_PATH", work_.path().c_str(), 1);
     for (const auto& [word, name] :
          {std::pair<std::string, std::string>{"double", "f64"}, {"float", "f32"}}) {
-        precisions_.push_back({.options = folder / (stage + "_" + name + ".options"),
-                               .prelude = work_ / (name + ".hpp"),
-                               .library = work_ / ("lib" + stage + "_mutant_" + name + ".so"),
-                               .suite = folder / (stage + "_mutant_test_" + word)});
+        precisions_.push_back(
+            {.options = folder / (stage + "_" + name + ".options"),
+             .prelude = work_.path() / (name + ".hpp"),
+             .library = work_.path() / ("lib" + stage + "_mutant_" + name + ".so"),
+             .suite = folder / (stage + "_mutant_test_" + word)});
     }
     double slowest = 0;
     for (Precision& precision : precisions_) {
@@ -104,29 +101,24 @@ BuildDirectory::BuildDirectory(const std::string& stage, const std::string& refe
     seconds_ = int(std::ceil(2 + 5 * slowest));
 }
 
-BuildDirectory::~BuildDirectory() {
-    std::error_code ignored;
-    std::filesystem::remove_all(work_, ignored);
-}
-
 void BuildDirectory::prepare(Precision& precision, const std::string& reference) {
-    write(precision.prelude, includes_of(reference));
+    rt::write_text(precision.prelude, includes_of(reference));
     const std::string prelude = precision.prelude;
     if (!compiles(precision.options, {"-x", "c++-header", prelude, "-o", prelude + ".gch"}) ||
         !compile(precision, reference))
         throw std::runtime_error("the reference does not compile");
-    precision.code_of_reference = content_of(precision.library);
+    precision.code_of_reference = rt::read_text(precision.library);
 }
 
 bool BuildDirectory::compile(const Precision& precision, const std::string& source) const {
-    write(source_, source);
+    rt::write_text(source_, source);
     return compiles(precision.options,
                     {"-include", precision.prelude, "-shared", source_, "-o", precision.library});
 }
 
 Outcome BuildDirectory::judge(const Precision& precision, const std::string& source) const {
     if (!compile(precision, source)) return {.fate = Fate::not_compiled, .killers = {}};
-    if (content_of(precision.library) == precision.code_of_reference)
+    if (rt::read_text(precision.library) == precision.code_of_reference)
         return {.fate = Fate::same_code, .killers = {}};
     std::vector<std::string> words = {precision.suite};
     words.insert(words.end(), suite_options_.begin(), suite_options_.end());

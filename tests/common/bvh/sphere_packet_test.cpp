@@ -45,11 +45,6 @@ Verdict no_hit_is_lost(Random& random) {
     return {};
 }
 
-template <class Shape>
-Verdict no_hit_is_lost() {
-    return for_all([](Random& random) { return no_hit_is_lost<Shape>(random); }, 10000);
-}
-
 /// A line that passes well inside of the sphere is near it, for any overflow or underflow of
 /// products.
 Verdict is_near_at_any_size(Random& random) {
@@ -129,20 +124,11 @@ Verdict finds_the_same(Random& random) {
     return {};
 }
 
-template <class Shape>
-Verdict finds_the_same() {
-    return for_all([](Random& random) { return finds_the_same<Shape>(random); }, 300);
-}
-
 }  // namespace
 
-TEST_CASE("balls: no shape that a ray hits is left out") {
-    CHECK(no_hit_is_lost<Sphere>());
-    CHECK(no_hit_is_lost<Triangle>());
-    CHECK(no_hit_is_lost<Square>());
-    CHECK(no_hit_is_lost<Cylinder>());
-    CHECK(no_hit_is_lost<Cone>());
-    CHECK(no_hit_is_lost<OrientedBox>());
+TEMPLATE_TEST_CASE("balls: no shape that a ray hits is left out", "", Sphere, Triangle, Square,
+                   Cylinder, Cone, OrientedBox) {
+    CHECK(for_all(no_hit_is_lost<TestType>, 10000));
 }
 
 TEST_CASE("balls: as small as a shape lets them be") {
@@ -206,16 +192,12 @@ TEST_CASE("balls: with NaN, huge or tiny numbers no shape is left out") {
 }
 
 TEST_CASE("balls: no candidate is lost at any size") {
-    CHECK(for_all([](Random& random) { return is_near_at_any_size(random); }, 100000));
+    CHECK(for_all(is_near_at_any_size, 100000));
 }
 
-TEST_CASE("balls: the nearest is the same in a list, in balls and in a hierarchy") {
-    CHECK(finds_the_same<Sphere>());
-    CHECK(finds_the_same<Triangle>());
-    CHECK(finds_the_same<Square>());
-    CHECK(finds_the_same<Cylinder>());
-    CHECK(finds_the_same<Cone>());
-    CHECK(finds_the_same<OrientedBox>());
+TEMPLATE_TEST_CASE("balls: the nearest is the same in a list, in balls and in a hierarchy", "",
+                   Sphere, Triangle, Square, Cylinder, Cone, OrientedBox) {
+    CHECK(for_all(finds_the_same<TestType>, 300));
 }
 
 TEST_CASE("balls: few shapes are tested, unless balls are switched off") {

@@ -10,7 +10,6 @@
 
 #include "tests/kit/catch.hpp"
 
-#include <cmath>
 #include <filesystem>
 #include <random>
 

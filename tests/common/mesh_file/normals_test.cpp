@@ -39,20 +39,6 @@ Vec3 face_normal(const Mesh& mesh, const std::array<std::uint32_t, 3>& corners) 
     return side / length(side);
 }
 
-std::string stl(const Mesh& mesh) {
-    std::string text = "solid\n";
-    for (const auto& triangle : mesh.triangles) {
-        text += "facet normal 0 0 0\nouter loop\n";
-        for (const std::uint32_t corner : triangle) {
-            const Vec3 v = mesh.vertices[corner];
-            text += "vertex " + std::to_string(v.x) + " " + std::to_string(v.y) + " " +
-                    std::to_string(v.z) + "\n";
-        }
-        text += "endloop\nendfacet\n";
-    }
-    return text + "endsolid\n";
-}
-
 /// A tube of n facets around the z axis, open at both ends.
 Mesh tube(int n) {
     Mesh mesh;
@@ -149,7 +135,7 @@ TEST_CASE("smooth normals look to the side of each face that meets them, however
 TEST_CASE("STL: facets join at flat edges, and edges of more than 40 degrees stay sharp") {
     // The normals of neighboring facets of a regular tube of n differ by 360/n degrees.
     for (const int n : {10, 12, 24}) {  // 36, 30 and 15 degrees
-        const Mesh mesh = mesh_of("a.stl", stl(tube(n)));
+        const Mesh mesh = mesh_of("a.stl", as_stl(tube(n)));
         CHECK(mesh.vertices.size() == std::size_t(2 * n));
         REQUIRE(mesh.normals.size() == mesh.vertices.size());
         for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
@@ -158,7 +144,7 @@ TEST_CASE("STL: facets join at flat edges, and edges of more than 40 degrees sta
         }
     }
     for (const int n : {3, 4, 8}) {  // 120, 90 and 45 degrees
-        const Mesh mesh = mesh_of("a.stl", stl(tube(n)));
+        const Mesh mesh = mesh_of("a.stl", as_stl(tube(n)));
         CHECK(mesh.vertices.size() == std::size_t(4 * n));
         for (const auto& triangle : mesh.triangles)
             for (const std::uint32_t corner : triangle)
@@ -171,7 +157,7 @@ TEST_CASE("STL: a facet that is turned over is turned back, and smooth as its ne
     std::swap(turned.triangles[5][0], turned.triangles[5][1]);
     std::swap(turned.triangles[20][1], turned.triangles[20][2]);
     const MeshFolder folder;
-    const std::string file = folder.write("a.stl", stl(turned));
+    const std::string file = folder.write("a.stl", as_stl(turned));
     for (const bool smooth : {true, false}) {
         const Mesh mesh = load_mesh(
             file, [](const std::string& text) { FAIL_CHECK(text); }, smooth);

@@ -9,10 +9,10 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace rt {
 inline namespace RT_PRECISION {
@@ -40,6 +40,43 @@ struct MeshFolder {
 inline Mesh mesh_of(const std::string& name, std::string_view content) {
     const MeshFolder folder;
     return load_mesh(folder.write(name, content));
+}
+
+/// The warnings about the file, without the folder.
+inline std::vector<std::string> mesh_warnings(const std::string& name, std::string_view content) {
+    const MeshFolder folder;
+    std::vector<std::string> all;
+    static_cast<void>(load_mesh(folder.write(name, content), [&](const std::string& warning) {
+        all.push_back(warning.substr(folder.path.string().size() + 1));
+    }));
+    return all;
+}
+
+/// A triangle in STL.
+inline const std::string facet =
+    "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+    "endfacet\n";
+
+/// The header of a text PLY.
+inline std::string ply_header(int vertices, int faces) {
+    return "ply\nformat ascii 1.0\nelement vertex " + std::to_string(vertices) +
+           "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+           std::to_string(faces) + "\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+/// A text STL with blanks, capitals and ends of lines as some programs write them.
+inline std::string as_stl(const Mesh& mesh) {
+    std::string text = "solid outer space\n";
+    for (const auto& t : mesh.triangles) {
+        text += "facet normal 0 0 0\n  OUTER loop\r\n\n";
+        for (const std::uint32_t corner : t) {
+            const Vec3 v = mesh.vertices[corner];
+            text += "  vertex " + std::to_string(v.x) + " " + std::to_string(v.y) + " " +
+                    std::to_string(v.z) + "\n";
+        }
+        text += "endloop\nendfacet\n";
+    }
+    return text + "endsolid outer space\n";
 }
 
 /// The mesh with smooth normals.

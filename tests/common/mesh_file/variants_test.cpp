@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 #include <vector>
 
 using namespace rt;
@@ -17,9 +16,6 @@ namespace {
 
 const std::string three_points = "0 0 0\n1 0 0\n0 1 0\n";
 const std::vector<Vec3> places = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-const std::string facet =
-    "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
-    "endfacet\n";
 
 /// The warnings about the file or a line of it, after "warning: ". The file must be the triangle of
 /// `places`.
@@ -254,36 +250,27 @@ TEST_CASE("PLY: binary, with elements and lists around those that are read") {
 }
 
 TEST_CASE("OFF and PLY with more than the header counts") {
-    const auto whole = [](const std::string& name, const std::string& content) {
-        const MeshFolder folder;
-        const std::string file = folder.write(name, content);
-        Warnings all;
-        static_cast<void>(load_mesh(file, [&](const std::string& warning) {
-            all.push_back(warning.substr(folder.path.string().size() + 1));
-        }));
-        return all;
-    };
     const std::string off = "OFF\n3 1 0\n" + three_points + "3 0 1 2\n";
-    CHECK(whole("a.off", off + "# the end\n\n \n").empty());
-    CHECK(whole("a.off", off + "\n3 0 2 1\n3 0 1 2\n") ==
+    CHECK(mesh_warnings("a.off", off + "# the end\n\n \n").empty());
+    CHECK(mesh_warnings("a.off", off + "\n3 0 2 1\n3 0 1 2\n") ==
           Warnings{"a.off:8: warning: the header counts 1 face: what follows is not read"});
     const std::string ply =
         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
         "property float z\nelement face 1\nproperty list uchar uchar vertex_indices\n"
         "end_header\n";
     const std::string text = ply + three_points + "3 0 1 2\n";
-    CHECK(whole("a.ply", text + "comment the end\n\n").empty());
-    CHECK(whole("a.ply", text + "3 0 2 1\n") ==
+    CHECK(mesh_warnings("a.ply", text + "comment the end\n\n").empty());
+    CHECK(mesh_warnings("a.ply", text + "3 0 2 1\n") ==
           Warnings{"a.ply:14: warning: the header counts no more items: what follows is not read"});
     std::string bytes = ply;
     bytes.replace(bytes.find("ascii"), 5, "binary_big_endian");
     const std::string one = "\x3f\x80\0\0"s;
     const std::string zero(4, '\0');
     bytes += zero + zero + zero + one + zero + zero + zero + one + zero + "\3\0\1\2"s;
-    CHECK(whole("a.ply", bytes).empty());
-    CHECK(whole("a.ply", bytes + "\n") ==
+    CHECK(mesh_warnings("a.ply", bytes).empty());
+    CHECK(mesh_warnings("a.ply", bytes + "\n") ==
           Warnings{"a.ply: warning: the header counts no more items: the last byte is not read"});
-    CHECK(whole("a.ply", bytes + "\3\0\2\1"s) ==
+    CHECK(mesh_warnings("a.ply", bytes + "\3\0\2\1"s) ==
           Warnings{"a.ply: warning: the header counts no more items: the last 4 bytes are not "
                    "read"});
 }
@@ -304,10 +291,7 @@ TEST_CASE("a polygon with a hole, joined to it by a bridge, has its area in ever
                                              "1 1 0", "1 2 0", "3 2 0", "3 1 0"};
     std::string off = "OFF\n8 1 0\n";
     std::string obj;
-    std::string ply =
-        "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\n"
-        "property float y\nproperty float z\nelement face 1\n"
-        "property list uchar int vertex_indices\nend_header\n";
+    std::string ply = ply_header(8, 1);
     for (const std::string& point : points) {
         off += point + "\n";
         ply += point + "\n";

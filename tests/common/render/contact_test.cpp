@@ -196,32 +196,16 @@ Verdict wrong_somewhere(const Method& method) {
     return verdict(false, all);
 }
 
-template <class Shape>
-Verdict constants_fail() {
-    for (const Method& method : constants)
-        if (const Verdict wrong = wrong_somewhere<Shape>(method); !wrong) return wrong;
-    return {};
-}
-
 }  // namespace
 
-TEST_CASE("rays that leave a surface neither hit it nor miss close objects, at any scale") {
-    CHECK(never_wrong<Sphere>());
-    CHECK(never_wrong<Plane>());
-    CHECK(never_wrong<Triangle>());
-    CHECK(never_wrong<Square>());
-    CHECK(never_wrong<Cylinder>());
-    CHECK(never_wrong<Cone>());
-    CHECK(never_wrong<OrientedBox>());
+TEMPLATE_TEST_CASE("rays that leave a surface neither hit it nor miss close objects, at any scale",
+                   "", Sphere, Plane, Triangle, Square, Cylinder, Cone, OrientedBox) {
+    CHECK(never_wrong<TestType>());
 }
 
-TEST_CASE("any constant distance from a surface is wrong at some scale (erratum 31)") {
-    CHECK(constants_fail<Sphere>());
-    CHECK(constants_fail<Plane>());
-    CHECK(constants_fail<Triangle>());
-    CHECK(constants_fail<Square>());
-    CHECK(constants_fail<Cylinder>());
-    CHECK(constants_fail<Cone>());
+TEMPLATE_TEST_CASE("any constant distance from a surface is wrong at some scale (erratum 31)", "",
+                   Sphere, Plane, Triangle, Square, Cylinder, Cone) {
+    for (const Method& method : constants) CHECK(wrong_somewhere<TestType>(method));
 }
 
 TEST_CASE("each constant has its scale: too small above it, too large below (erratum 31)") {

@@ -10,7 +10,6 @@
 #include "tests/kit/picture.hpp"
 
 #include <cmath>
-#include <cstdlib>
 
 using namespace rt;
 

@@ -62,25 +62,15 @@ Verdict is_left_alone(Random& random) {
     return {};
 }
 
-template <class Shape>
-Verdict all_are_left_alone() {
-    return for_all([](Random& random) { return is_left_alone<Shape>(random); }, 10000);
-}
-
 /// Above a floor, below a ceiling.
 const Light lamp{.position = {0, 2, 0}, .radius = Real(0.25)};
 const Vec3 on_floor(1, 64 * unit_roundoff, 0);
 
 }  // namespace
 
-TEST_CASE("a shaft: no ray hits a shape outside it") {
-    CHECK(all_are_left_alone<Sphere>());
-    CHECK(all_are_left_alone<Plane>());
-    CHECK(all_are_left_alone<Triangle>());
-    CHECK(all_are_left_alone<Square>());
-    CHECK(all_are_left_alone<Cylinder>());
-    CHECK(all_are_left_alone<Cone>());
-    CHECK(all_are_left_alone<OrientedBox>());
+TEMPLATE_TEST_CASE("a shaft: no ray hits a shape outside it", "", Sphere, Plane, Triangle, Square,
+                   Cylinder, Cone, OrientedBox) {
+    CHECK(for_all(is_left_alone<TestType>, 10000));
 }
 
 TEST_CASE("a shaft: shapes beside or behind it are excluded") {

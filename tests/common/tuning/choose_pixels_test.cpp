@@ -5,7 +5,6 @@
 
 #include "common/tuning/pixel_study.hpp"
 
-#include <cmath>
 #include <numeric>
 
 using namespace rt;

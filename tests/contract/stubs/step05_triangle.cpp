@@ -7,10 +7,7 @@ std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval
 }
 
 Vec3 barycentric(const Triangle& triangle, Vec3 point) {
-    const contract::Change* const change = contract::change();
-    if (change == nullptr) return contract::ask<5, "barycentric">(triangle, point);
-    return contract::ask<5, "barycentric">(transformed(triangle, change->any),
-                                           transformed(point, change->any));
+    return contract::ask_place<5, "barycentric">(triangle, point);
 }
 
 Vec3 normal(const Triangle& triangle, Vec3 point) {

@@ -12,34 +12,15 @@ Vec3 reflected(Vec3 to_light, Vec3 normal) {
 }
 
 Color ambient_term(const ShadingPoint& surface, const Ambient& ambient) {
-    const contract::Change* const change = contract::change();
-    if (change == nullptr) return contract::ask<9, "ambient_term">(surface, ambient);
-    const Ambient other{.ratio = change->light * ambient.ratio,
-                        .color = contract::exchanged(ambient.color, *change)};
-    return contract::exchanged_back(contract::ask<9, "ambient_term">(
-                                        contract::changed(surface, *change, change->any), other),
-                                    *change) /
-           change->light;
+    return contract::ask_color<9, "ambient_term">(surface, ambient);
 }
 
 Color diffuse_term(const ShadingPoint& surface, const Light& light) {
-    const contract::Change* const change = contract::change();
-    if (change == nullptr) return contract::ask<9, "diffuse_term">(surface, light);
-    return contract::exchanged_back(
-               contract::ask<9, "diffuse_term">(contract::changed(surface, *change, change->any),
-                                                contract::changed(light, *change, change->any)),
-               *change) /
-           change->light;
+    return contract::ask_color<9, "diffuse_term">(surface, light);
 }
 
 Color specular_term(const ShadingPoint& surface, const Light& light) {
-    const contract::Change* const change = contract::change();
-    if (change == nullptr) return contract::ask<9, "specular_term">(surface, light);
-    return contract::exchanged_back(
-               contract::ask<9, "specular_term">(contract::changed(surface, *change, change->any),
-                                                 contract::changed(light, *change, change->any)),
-               *change) /
-           change->light;
+    return contract::ask_color<9, "specular_term">(surface, light);
 }
 
 }  // namespace rt

@@ -10,7 +10,6 @@
 #include "common/contract/rendered.hpp"
 #include "common/image/png.hpp"
 #include "common/render/render.hpp"
-#include "common/render/sampling.hpp"
 #include "common/scene_file/reader.hpp"
 
 #include "steps/step08_cone/all_shapes.hpp"
