@@ -107,7 +107,6 @@ Verdict within(const Measure& measure, double bar, const std::string& what) {
                                              std::to_string(bar) + " at most:\n" + measure.where);
 }
 
-/// Measures the sweeps one by one, prints them and compares them with their bounds.
 }  // namespace
 
 TEMPLATE_TEST_CASE("shapes at the extremes", "", Sphere, Plane, Triangle, Square, Cylinder, Cone,
