@@ -397,7 +397,7 @@ if command -v curl > /dev/null; then
     chmod +x fakes/*
     PATH=$PWD/fakes:$PATH build/course book > address 2> err &
     server=$!
-    until_true 30 grep http address
+    until_true 300 grep http address
     own=$(sed 's,build/book/index.html.*,own_,;q' address)
     none=0000000000000000 one=000000000000f03f
     question=0300$none$none$none$none${none}000000000000f0bf$none${none}00000000000014c0$one${none}000000000000f07f
@@ -465,9 +465,9 @@ says "std::optional<Real> intersect("
 cp $stage/reference/sphere.cpp $mine
 ./course watch 3 > watched 2>&1 &
 watcher=$!
-until_true 30 grep "cases pass, in float and double" watched
+until_true 300 grep "cases pass, in float and double" watched
 printf 'int broken(\n' >> $mine
-until_true 30 grep "^$mine:.*: error: " watched
+until_true 300 grep "^$mine:.*: error: " watched
 kill $watcher
 cp watched out
 says "cases pass, in float and double"
@@ -483,9 +483,9 @@ if has_terminal; then
     # pressed KEY TEXT: once the screen is there, the key leads to the text.
     pressed() {
         printf '%s' "$1" >&9
-        until_true 60 grep -q "$2" shown || fail "$1 leads to $2"
+        until_true 300 grep -q "$2" shown || fail "$1 leads to $2"
     }
-    until_true 60 grep -q "Next: ./course start 4" shown || fail "the first check"
+    until_true 300 grep -q "Next: ./course start 4" shown || fail "the first check"
     pressed h "hint 1 of 3"
     pressed l "step13_meshes"
     pressed n "Write next: intersect, in steps/step04_plane/student/plane.cpp"
