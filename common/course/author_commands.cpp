@@ -1,11 +1,9 @@
 // The commands for lecturers and for authors of stages.
-#include "common/course/command_line.hpp"
-
 #include "common/course/authoring/commands.hpp"
+#include "common/course/command_line.hpp"
 #include "common/course/exercise/commands.hpp"
 #include "common/course/exercise/hints.hpp"
 #include "common/course/handout/handout.hpp"
-#include "common/course/handout/update.hpp"
 #include "common/system/translation.hpp"
 
 namespace rt {

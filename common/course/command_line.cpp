@@ -4,7 +4,7 @@
 #include "common/course/build/project.hpp"
 #include "common/course/exercise/commands.hpp"
 #include "common/course/exercise/workbook.hpp"
-#include "common/course/handout/update.hpp"
+#include "common/course/handout/handout.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/suggestion.hpp"
 #include "common/system/terminal.hpp"
@@ -45,7 +45,7 @@ bool is_missing(const std::string& command) {
     constexpr std::array<std::string_view, 5> of_clones = {"solution", "audit", "measure", "grade",
                                                            "handout"};
     if (!is_handout(project_folder)) return command == "update";
-    return std::find(of_clones.begin(), of_clones.end(), command) != of_clones.end();
+    return std::ranges::find(of_clones, command) != of_clones.end();
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ int parse_stage(const std::string& text) {
     if (!stage)
         throw InputError({}, tr("no stage \"{word}\": give a number 1 to {last} or a name like "
                                 "step05_triangle.",
-                                {{"word", text}, {"last", std::to_string(stage_names.size())}}) +
+                                {{"word", text}, {"last", stage_names.size()}}) +
                                  suggested(text, stage_words()));
     const Values values = {{"stage", name_of(*stage)}};
     if (!is_here(*stage)) throw InputError({}, tr("{stage} is not part of this hand-out", values));
@@ -68,8 +68,8 @@ int parse_stage(const std::string& text) {
 }
 
 bool wants_help(const Command& rest) {
-    return std::any_of(rest.begin(), rest.end(),
-                       [](const std::string& word) { return word == "--help" || word == "-h"; });
+    return std::ranges::any_of(
+        rest, [](const std::string& word) { return word == "--help" || word == "-h"; });
 }
 
 void show_help(const CLI::App& command) {
@@ -80,7 +80,7 @@ void show_help(const CLI::App& command) {
         line.resize(std::max(line.size() + 1, column), ' ');
         page += line + option->get_description() + "\n";
     }
-    std::fputs(wrapped_page(page, column).c_str(), stdout);
+    print(wrapped_page(page, column));
 }
 
 Commands::Commands() {
@@ -116,11 +116,10 @@ CLI::App* Commands::add_of_program(const std::string& usage, const std::string& 
         const CLI::App& command = *app_.get_subcommands()[0];
         show_help(command);
         const bool is_run = command.get_name() == "run";  // which builds the program
-        std::puts((is_run ? tr("The other options are those of the stage's program:") + "\n"
-                          : tr("The other options are those of the stage's program: ./course run "
-                               "{stage} --help lists them.",
-                               {{"stage", std::to_string(stage())}}))
-                      .c_str());
+        print_line((is_run ? tr("The other options are those of the stage's program:") + "\n"
+                           : tr("The other options are those of the stage's program: ./course run "
+                                "{stage} --help lists them.",
+                                {{"stage", stage()}})));
         if (!is_run) return 0;
         std::fflush(stdout);
         return run_stage(stage(), {"--help"}, "");
@@ -139,11 +138,11 @@ void Commands::print_summary() const {
     for (const CLI::App* command : app_.get_subcommands({}))
         if (!is_missing(command->get_name()) && command->get_group() != authors)
             names += " " + command->get_name();
-    std::printf("\n%s%s\n", wrapped_page(tr("Commands:") + names, 0).c_str(),
-                tr("./course --help describes them.").c_str());
+    print("\n" + wrapped_page(tr("Commands:") + names, 0));
+    print_line(tr("./course --help describes them."));
     if (is_handout(project_folder))
-        std::printf("\n%s\n", wrapped(tr_text(read_manifest(project_folder).title)).c_str());
-    std::puts("");
+        print_line("\n" + wrapped(tr_text(read_manifest(project_folder).title)));
+    print_line("");
     show_next();
 }
 
@@ -153,19 +152,19 @@ void Commands::print_list() const {
     for (const CLI::App* command : app_.get_subcommands({})) {
         if (is_missing(command->get_name())) continue;
         if (command->get_group() == authors && group != authors)
-            std::printf("\n%s\n\n", tr("For lecturers, and for authors of stages:").c_str());
+            print_line("\n" + tr("For lecturers, and for authors of stages:") + "\n");
         group = command->get_group();
         std::string line = command->get_description();
         const std::size_t end = line.find(": ");
         line.replace(end, 2, std::string(end + 2 < column ? column - end : 2, ' '));
-        std::puts(wrapped(line, terminal_columns(), column).c_str());
+        print_line(wrapped(line, terminal_columns(), column));
     }
     const std::string notes = tr(
         "N is {what}.\nrun, compare, explain: --mine uses all your stages, --reference 3,5 all but "
         "these. ./course --version prints the version; --lang fr before a command answers in "
         "French.",
         {{"what", tr(stage_option)}});
-    std::fputs(("\n" + wrapped_page(notes, 0)).c_str(), stdout);
+    print(("\n" + wrapped_page(notes, 0)));
 }
 
 std::vector<std::string> Commands::command_names() const {
@@ -205,7 +204,7 @@ int Commands::run(int argc, char** argv) {
     if (argc > 1 && words[1] == std::string_view("help")) {  // as "check --help"
         words.erase(words.begin() + 1);
         const std::vector<std::string> names = command_names();
-        if (argc == 2 || std::find(names.begin(), names.end(), words[1]) != names.end())
+        if (argc == 2 || std::ranges::find(names, words[1]) != names.end())
             words.push_back("--help");
     }
     try {

@@ -1,16 +1,16 @@
 // The commands for students.
-#include "common/course/command_line.hpp"
-
 #include "common/course/book/book.hpp"
 #include "common/course/build/build.hpp"
 #include "common/course/build/compiler_errors.hpp"
 #include "common/course/build/project.hpp"
+#include "common/course/command_line.hpp"
 #include "common/course/exercise/commands.hpp"
 #include "common/course/exercise/hints.hpp"
-#include "common/course/own/check_own.hpp"
-#include "common/course/own/lay_out.hpp"
+#include "common/course/own/own.hpp"
 #include "common/course/view/view.hpp"
+#include "common/system/files.hpp"
 #include "common/system/parse_floating.hpp"
+#include "common/system/terminal.hpp"
 #include "common/system/translation.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 
 /// "3;sphere,5" in CMake's form: "3;3;5". Throws InputError if one is not a stage.
 std::string parse_stages(std::string text) {
-    std::replace(text.begin(), text.end(), ',', ';');
+    std::ranges::replace(text, ',', ';');
     std::istringstream in(text);
     std::string stages;
     for (std::string word; std::getline(in, word, ';');)
@@ -63,7 +63,7 @@ ComparisonRequest comparison(const Words& words, const Command& rest) {
 
 int explain(const Words& words, Command rest) {
     std::string which;
-    const auto pixel = std::find_if(rest.begin(), rest.end(), is_pixel);
+    const auto pixel = std::ranges::find_if(rest, is_pixel);
     if (pixel != rest.end()) {
         which = *pixel;
         rest.erase(pixel);
@@ -73,7 +73,7 @@ int explain(const Words& words, Command rest) {
 
 int own(const Words& words) {
     if (!words.check) return lay_out_own(project_folder, words.place);
-    const std::filesystem::path program = own_program(words.place);
+    const fs::path program = own_program(words.place);
     const std::string reference = stage_target(own_check_stage, "_reference_program");
     build({reference});
     return check_own({.program = program,
@@ -183,7 +183,7 @@ void Commands::add_student_commands() {
         [this](Rest rest) {
             if (!wants_help(rest)) return test(rest);
             show_help(*app_.get_subcommands()[0]);
-            std::puts(tr("Such as -R NAME, --rerun-failed; ctest --help lists them.").c_str());
+            print_line(tr("Such as -R NAME, --rerun-failed; ctest --help lists them."));
             return 0;
         })
         ->prefix_command()

@@ -1,11 +1,11 @@
 #include "common/image/color_scale.hpp"
 
 #include "common/image/gamma.hpp"
+#include "common/system/text.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace rt {
@@ -78,9 +78,7 @@ Rgb distinct_color(int number) {
 }
 
 std::string hex(Rgb color) {
-    std::array<char, 8> text{};
-    std::snprintf(text.data(), text.size(), "#%02x%02x%02x", color[0], color[1], color[2]);
-    return text.data();
+    return formatted("#%02x%02x%02x", color[0], color[1], color[2]);
 }
 
 }  // namespace rt

@@ -9,7 +9,6 @@ namespace {
 
 constexpr std::size_t longest_quote = 40;
 
-/// The two hexadecimal digits of a byte.
 std::string hexadecimal(char byte) {
     constexpr std::string_view digits = "0123456789ABCDEF";
     const auto value = static_cast<unsigned char>(byte);
@@ -100,7 +99,7 @@ std::string readable(std::string_view text) {
 
 std::string one_line(std::string text) {
     const auto is_control = [](unsigned char c) { return c < ' ' || c == '\x7f'; };
-    std::replace_if(text.begin(), text.end(), is_control, '?');
+    std::ranges::replace_if(text, is_control, '?');
     return readable(text);
 }
 

@@ -13,14 +13,16 @@
 
 namespace rt {
 
-namespace fs = std::filesystem;
-
 std::string read_text(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::ostringstream text;
     if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();  // fails on nothing
     if (in.bad() || !in.is_open() || !text) throw InputError({file.string()}, "cannot be read");
     return text.str();
+}
+
+std::vector<std::string> lines_in(const fs::path& file) {
+    return fs::exists(file) ? lines_of(read_text(file)) : std::vector<std::string>();
 }
 
 void write_text(const fs::path& file, const std::string& text) {
@@ -41,7 +43,7 @@ std::vector<fs::path> files_in(const fs::path& folder, const std::string& ending
     std::error_code none;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, none))
         if (entry.path().extension() == ending) files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
+    std::ranges::sort(files);
     return files;
 }
 
@@ -70,8 +72,8 @@ void refuse_what_is_there(const fs::path& typed, const fs::path& path) {
                          tr("exists already: expected a new name, or an empty folder"));
 }
 
-TemporaryFolder::TemporaryFolder(const fs::path& parent)
-    : path_(make_folder(parent, "raysteps.")) {}
+TemporaryFolder::TemporaryFolder(const fs::path& parent, const std::string& start)
+    : path_(make_folder(parent, start)) {}
 
 TemporaryFolder::~TemporaryFolder() {
     std::error_code ignored;

@@ -1,21 +1,13 @@
 #include "common/system/suggestion.hpp"
 
+#include "common/system/text.hpp"
+
 #include <algorithm>
-#include <cctype>
 #include <numeric>
 
 namespace rt {
 
-namespace {
-
-std::string lower(std::string word) {
-    for (char& c : word) c = char(std::tolower(static_cast<unsigned char>(c)));
-    return word;
-}
-
-/// The number of letters to insert, remove or replace, or of neighbors to exchange, until the two
-/// are equal.
-std::size_t distance(const std::string& a, const std::string& b) {
+std::size_t edits(const std::string& a, const std::string& b) {
     std::vector<std::vector<std::size_t>> cost(a.size() + 1,
                                                std::vector<std::size_t>(b.size() + 1));
     std::iota(cost[0].begin(), cost[0].end(), std::size_t{0});
@@ -31,15 +23,13 @@ std::size_t distance(const std::string& a, const std::string& b) {
     return cost[a.size()][b.size()];
 }
 
-}  // namespace
-
 std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
-    const std::string asked = lower(word);
+    const std::string asked = lower_case(word);
     std::string best;
     std::size_t least = std::max(asked.size(), std::size_t{2}) / 3 + 1;  // too much
     for (const std::string& candidate : known) {
-        const bool begins = asked.size() >= 3 && candidate.rfind(asked, 0) == 0;
-        const std::size_t changes = begins ? 0 : distance(asked, candidate);
+        const bool begins = asked.size() >= 3 && candidate.starts_with(asked);
+        const std::size_t changes = begins ? 0 : edits(asked, candidate);
         if (changes >= least) continue;
         least = changes;
         best = candidate;

@@ -1,6 +1,7 @@
 #include "common/system/terminal.hpp"
 
 #include "common/system/input_error.hpp"
+#include "common/system/text.hpp"
 #include "common/system/translation.hpp"
 
 #include <cstdio>
@@ -11,16 +12,25 @@
 #endif
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
-#include <string>
 #include <string_view>
 
 namespace rt {
+
+namespace {
+
+bool wants_color() {
+    if (std::getenv("NO_COLOR") != nullptr) return false;
+    const char* forced = std::getenv("CLICOLOR_FORCE");
+    if (forced != nullptr && std::string_view(forced) != "0") return true;
+    return output_on_terminal() && terminal_is_capable();
+}
+
+}  // namespace
 
 void finish_output() {
     std::cout.flush();
@@ -29,6 +39,18 @@ void finish_output() {
     if (std::fflush(stdout) == 0 && !was_wrong) return;
     const std::string why = errno == 0 ? "" : std::string(": ") + std::strerror(errno);
     throw InputError({}, "the standard output cannot be written" + why);
+}
+
+void print(const std::string& text) {
+    std::fputs(text.c_str(), stdout);
+}
+
+void print_line(const std::string& line) {
+    std::puts(line.c_str());
+}
+
+void print_error(const std::string& line) {
+    std::fprintf(stderr, "%s\n", line.c_str());
 }
 
 bool errors_on_terminal() {
@@ -64,13 +86,21 @@ int terminal_rows() {
     return 24;
 }
 
+std::string styled(const std::string& text, Style paint) {
+    static const bool in_color = wants_color();
+    if (!in_color) return text;
+    const char* code = "2";
+    if (paint == Style::good) code = "32";
+    if (paint == Style::bad) code = "31";
+    if (paint == Style::bold) code = "1";
+    return std::string("\033[") + code + "m" + text + "\033[0m";
+}
+
 std::string time_left(double seconds, int done, int total) {
     constexpr double least_seconds = 5;
     constexpr int least_part = 20;
     if (seconds < least_seconds || done * least_part < total) return "";
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), ", %.0f s left", seconds * (total - done) / done);
-    return text.data();
+    return formatted(", %.0f s left", seconds * (total - done) / done);
 }
 
 Progress::Progress(bool shown, int total) : total_(total) {
@@ -85,9 +115,8 @@ void Progress::advance() {
     if (now - last_ < std::chrono::milliseconds(100)) return;
     last_ = now;
     const double seconds = std::chrono::duration<double>(now - start_).count();
-    std::array<char, 32> share{};
-    std::snprintf(share.data(), share.size(), "%4d %%", 100 * done_ / total_);
-    status_->show(share.data() + tr_text(time_left(seconds, done_, total_)));
+    status_->show(formatted("%4d %%", 100 * done_ / total_) +
+                  tr_text(time_left(seconds, done_, total_)));
 }
 
 }  // namespace rt

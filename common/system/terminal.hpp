@@ -12,10 +12,16 @@ namespace rt {
 /// be full, or a pipe closed.
 void finish_output();
 
+/// Prints a text on the standard output.
+void print(const std::string& text);
+
+/// Prints a line, on the standard output or on the standard error stream.
+void print_line(const std::string& line);
+void print_error(const std::string& line);
+
 /// Returns whether the standard error stream is a terminal.
 [[nodiscard]] bool errors_on_terminal();
 
-/// Returns whether the standard output is a terminal.
 [[nodiscard]] bool output_on_terminal();
 
 /// Returns whether the terminal can do more than print lines: $TERM is not "dumb".
@@ -27,6 +33,12 @@ void finish_output();
 
 /// The height in lines of the terminal of the standard output, or 24.
 [[nodiscard]] int terminal_rows();
+
+enum class Style { good, bad, bold, dim };
+
+/// The text in color, if the standard output is a terminal that is not "dumb", or CLICOLOR_FORCE is
+/// set to something but 0; never if NO_COLOR is set.
+[[nodiscard]] std::string styled(const std::string& text, Style paint);
 
 /// ", 3 s left" after this many seconds for `done` of `total` equal parts; empty while this is a
 /// guess: in the first 5 seconds, and before a twentieth is done.

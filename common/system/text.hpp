@@ -1,9 +1,11 @@
-// Texts: letters without case, lines, numbers, the ending of a name.
+// Texts: letters without case, lines, lists, numbers, the ending of a name.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +28,38 @@ namespace rt {
         at = end + 1;
     }
     return lines;
+}
+
+/// What follows the word that the line starts with; nothing if it starts otherwise.
+[[nodiscard]] inline std::optional<std::string> after(std::string_view word,
+                                                      std::string_view line) {
+    if (!line.starts_with(word)) return std::nullopt;
+    return std::string(line.substr(word.size()));
+}
+
+/// "a, b, c": the items, or what `text` returns for each, with the separator between them.
+template <class Items, class Text = std::identity>
+[[nodiscard]] std::string joined(const Items& items, Text text = {},
+                                 std::string_view separator = ", ") {
+    std::string all;
+    for (const auto& item : items) {
+        if (!all.empty()) all += separator;
+        all += std::invoke(text, item);
+    }
+    return all;
+}
+
+/// The text without blanks at its ends.
+[[nodiscard]] inline std::string trimmed(std::string_view text) {
+    constexpr std::string_view left_out = " \t\r";
+    text.remove_prefix(std::min(text.find_first_not_of(left_out), text.size()));
+    return std::string(text.substr(0, text.find_last_not_of(left_out) + 1));
+}
+
+/// Replaces the words wherever the text has them.
+inline void replace_all(std::string& text, std::string_view from, std::string_view to) {
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+        text.replace(at, from.size(), to);
 }
 
 /// The text that std::printf writes, of at most 511 bytes.

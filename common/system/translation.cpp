@@ -60,8 +60,8 @@ bool tells_apart(const Pattern& pattern) {
     constexpr int few = 4;
     int letters = 0;
     for (const std::string_view words : pattern.words)
-        letters += int(std::count_if(words.begin(), words.end(),
-                                     [](unsigned char c) { return std::isalpha(c) != 0; }));
+        letters +=
+            int(std::ranges::count_if(words, [](unsigned char c) { return std::isalpha(c) != 0; }));
     return !pattern.words.front().empty() || letters >= few;
 }
 
@@ -128,7 +128,7 @@ std::string translated(const std::string& text, int inside) {
     }
     if (values.empty()) return text;
     if (inside > 0)
-        for (auto& [place, value] : values) value = translated(value, inside - 1);
+        for (NamedValue& value : values) value.text = translated(value.text, inside - 1);
     return tr(std::string(best.sentence), values);
 }
 
@@ -198,18 +198,16 @@ std::string tr(const std::string& english, const Values& values) {
     const std::string sentence = tr(english);
     std::string text;
     for (std::size_t i = 0; i < sentence.size();) {
-        const auto stands_here = [&](const auto& value) {
-            return sentence.compare(i, value.first.size() + 2,
-                                    "{" + std::string(value.first) + "}") == 0;
-        };
-        std::size_t which = 0;
-        while (which < values.size() && !stands_here(values[which])) ++which;
-        if (which == values.size()) {
+        const std::string_view place = sentence[i] == '{' ? place_at(sentence, i) : "";
+        const auto value = std::ranges::find_if(values, [&](const NamedValue& each) {
+            return place.size() > 2 && each.place == place.substr(1, place.size() - 2);
+        });
+        if (value == values.end()) {
             text += sentence[i++];
             continue;
         }
-        text += values[which].second;
-        i += values[which].first.size() + 2;
+        text += value->text;
+        i += place.size();
     }
     return text;
 }

@@ -2,6 +2,7 @@
 // lang/LANGUAGE/….po, which is read when a program runs.
 #pragma once
 
+#include <concepts>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -45,8 +46,16 @@ void forget_translations();
 /// The translation of a sentence, or the sentence if it has none.
 [[nodiscard]] std::string tr(const std::string& english);
 
-/// Words and what replaces them.
-using Values = std::vector<std::pair<std::string_view, std::string>>;
+/// A place in a sentence, and the text or the whole number that takes it.
+struct NamedValue {
+    std::string_view place;
+    std::string text;
+
+    NamedValue(std::string_view name, std::string words) : place(name), text(std::move(words)) {}
+    NamedValue(std::string_view name, std::integral auto number)
+        : NamedValue(name, std::to_string(number)) {}
+};
+using Values = std::vector<NamedValue>;
 
 /// The same with values in the places of a sentence: tr("{some} of {all}", {{"some", "3"}, …}).
 [[nodiscard]] std::string tr(const std::string& english, const Values& values);

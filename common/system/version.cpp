@@ -1,13 +1,13 @@
 #include "common/system/version.hpp"
 
 #include <cstddef>
+#include <cstdlib>
+#include <ctime>
 #include <fstream>
 
 namespace rt {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::size_t short_commit = 7;
 
@@ -58,6 +58,15 @@ std::string version_number() {
 std::string version(const fs::path& project) {
     const std::string commit = commit_of(project).substr(0, short_commit);
     return version_number() + (commit.empty() ? "" : " (" + commit + ")");
+}
+
+std::string today() {
+    const char* given = std::getenv("SOURCE_DATE_EPOCH");
+    const std::time_t now = given == nullptr ? std::time(nullptr) : std::atoll(given);
+    char text[16] = "";
+    if (const std::tm* const day = std::localtime(&now))
+        std::strftime(text, sizeof text, "%F", day);
+    return text;
 }
 
 }  // namespace rt

@@ -38,7 +38,7 @@ std::string shortened(const std::string& line, int columns) {
 }  // namespace
 
 std::size_t columns_of(const std::string& text) {
-    return std::size_t(std::count_if(text.begin(), text.end(), begins_character));
+    return std::size_t(std::ranges::count_if(text, begins_character));
 }
 
 std::string wrapped(const std::string& line, int columns) {

@@ -5,6 +5,7 @@
 #include "common/system/files.hpp"
 #include "common/system/hash.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/version.hpp"
 
 #include "tests/grading/reports_class.hpp"
 #include "tests/kit/catch.hpp"

@@ -1,7 +1,6 @@
 // `./course own` on a project of a test's own: own_course PROJECT DIR, or, for --check,
 // own_course PROJECT DIR REFERENCE_PROGRAM SECONDS.
-#include "common/course/own/check_own.hpp"
-#include "common/course/own/lay_out.hpp"
+#include "common/course/own/own.hpp"
 
 #include "common/system/input_error.hpp"
 

@@ -6,13 +6,12 @@
 #include "common/course/exercise/hints.hpp"
 #include "common/course/exercise/image_diff.hpp"
 #include "common/course/exercise/suite.hpp"
-
 #include "common/image/png.hpp"
 #include "common/stages/graded_file.hpp"
 #include "common/stages/reasons.hpp"
 #include "common/system/files.hpp"
-#include "common/system/paint.hpp"
 #include "common/system/process.hpp"
+#include "common/system/terminal.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -21,8 +20,6 @@
 namespace rt {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::size_t fewest_mistakes = 8;
 constexpr std::size_t fewest_alternatives = 3;
@@ -33,7 +30,7 @@ public:
     explicit Findings(int stage) : name_(stage_name(stage)) {}
 
     void require(bool holds, const std::string& what) {
-        const bool reported = std::count(missing_.begin(), missing_.end(), what) > 0;
+        const bool reported = std::ranges::count(missing_, what) > 0;
         if (!holds && !reported) missing_.push_back(what);
     }
     void note(const std::string& what) { notes_ += (notes_.empty() ? "" : ", ") + what; }
@@ -167,15 +164,12 @@ void look_at_suite(GradedFile graded, std::set<std::string>& listed, Findings& f
 
 /// The suites of a stage's files, and the list of the cases that its starter passes.
 void look_at_suites(int stage, Findings& findings) {
-    const std::string list = step_path(stage, "starter/passes.txt");
-    std::set<std::string> listed;
-    if (is_file(list))
-        for (const std::string& line : lines_of(read_text(project_folder / list)))
-            listed.insert(line);
+    std::set<std::string> listed = passed_by_starter(project_folder / step_path(stage, ""));
     look_at_suite(stage, listed, findings);
     if (has_trace(stage)) look_at_suite({stage, true}, listed, findings);
     for (const std::string& each : listed)
-        findings.require(false, list + " lists what is no case: " + each);
+        findings.require(false,
+                         step_path(stage, "starter/passes.txt lists what is no case: ") + each);
 }
 
 }  // namespace

@@ -1,11 +1,8 @@
 #include "common/course/authoring/known_mistakes.hpp"
 
 #include "common/system/input_error.hpp"
-#include "common/system/text.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -13,8 +10,6 @@
 namespace rt {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 std::string alternatives_of(const std::string& suite) {
     return "tests/alternatives/" + suite + ".cpp";
@@ -36,8 +31,7 @@ public:
         : project_(project), suite_(std::move(suite)) {}
 
     std::vector<KnownMistake> read() {
-        std::ifstream lines(project_ / catalogue_of(suite_));
-        for (std::string line; std::getline(lines, line);) {
+        for (const std::string& line : lines_in(project_ / catalogue_of(suite_))) {
             ++number_;
             if (line.starts_with('#')) continue;
             if (line.empty())
@@ -81,8 +75,7 @@ private:
             mistake.right_around = answer->around;
             mistake.right_answer += ", " + right_answer;
         } else {
-            std::ifstream file(project_ / mistake.right_answer);
-            mistake.right_text.assign(std::istreambuf_iterator<char>(file), {});
+            mistake.right_text = read_text(project_ / mistake.right_answer);
         }
         mistakes_.push_back(std::move(mistake));
         is_in_group_ = false;
@@ -134,8 +127,7 @@ std::string catalogue_of(const std::string& suite) {
 std::vector<RightAnswer> read_right_answers(const fs::path& project, const std::string& suite) {
     const std::string mark = "// right ";
     std::vector<RightAnswer> answers;
-    std::ifstream lines(project / alternatives_of(suite));
-    for (std::string line; std::getline(lines, line);) {
+    for (const std::string& line : lines_in(project / alternatives_of(suite))) {
         if (line.starts_with(mark)) {
             std::istringstream words(line.substr(mark.size(), line.find(':') - mark.size()));
             RightAnswer& answer = answers.emplace_back();
@@ -165,17 +157,9 @@ std::vector<KnownMistake> read_known_mistakes(const fs::path& project, const std
 
 namespace {
 
-namespace fs = std::filesystem;
-
 using Lines = std::vector<std::string>;
 
-Lines lines_in(const fs::path& file) {
-    std::ifstream in(file);
-    if (!in) throw InputError({file.generic_string()}, "cannot be read");
-    return lines_of({std::istreambuf_iterator<char>(in), {}});
-}
-
-std::string joined(const Lines& lines) {
+std::string text_of(const Lines& lines) {
     std::string text;
     for (const std::string& line : lines) text += line + "\n";
     return text;
@@ -249,11 +233,11 @@ void rename(Lines& lines, const std::vector<std::string>& functions) {
 std::string with_reference(const fs::path& project, const std::string& suite,
                            const std::vector<std::string>& around, const Lines& lines) {
     Lines all;
-    if (!around.empty()) all = lines_in(project / file_of("reference", suite));
+    if (!around.empty()) all = lines_of(read_text(project / file_of("reference", suite)));
     rename(all, around);
     all.insert(all.end(), lines.begin(), lines.end());
     std::ranges::stable_partition(all, [](const auto& line) { return line.starts_with('#'); });
-    return joined(all);
+    return text_of(all);
 }
 
 }  // namespace

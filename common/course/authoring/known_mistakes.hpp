@@ -17,7 +17,8 @@
 // `correct_intersect`.
 #pragma once
 
-#include <filesystem>
+#include "common/system/files.hpp"
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,11 +53,11 @@ struct RightAnswer {
 };
 
 /// The other right answers of a suite, by name; none without a file.
-[[nodiscard]] std::vector<RightAnswer> read_right_answers(const std::filesystem::path& project,
+[[nodiscard]] std::vector<RightAnswer> read_right_answers(const fs::path& project,
                                                           const std::string& suite);
 
 /// One of them, if there is one of that name.
-[[nodiscard]] std::optional<RightAnswer> find_right_answer(const std::filesystem::path& project,
+[[nodiscard]] std::optional<RightAnswer> find_right_answer(const fs::path& project,
                                                            const std::string& suite,
                                                            const std::string& name);
 
@@ -64,17 +65,17 @@ struct RightAnswer {
 [[nodiscard]] std::string catalogue_of(const std::string& suite);
 
 /// The known mistakes of a suite; none without a catalogue. Throws InputError.
-[[nodiscard]] std::vector<KnownMistake> read_known_mistakes(const std::filesystem::path& project,
+[[nodiscard]] std::vector<KnownMistake> read_known_mistakes(const fs::path& project,
                                                             const std::string& suite);
 
 // The sources of known mistakes and of other right answers.
 
 /// The whole source of a mistake of this suite. Throws InputError if lines are not found, or twice.
-[[nodiscard]] std::string source_of(const std::filesystem::path& project, const std::string& suite,
+[[nodiscard]] std::string source_of(const fs::path& project, const std::string& suite,
                                     const KnownMistake& mistake);
 
 /// The whole source of a right answer of this suite.
-[[nodiscard]] std::string source_of(const std::filesystem::path& project, const std::string& suite,
+[[nodiscard]] std::string source_of(const fs::path& project, const std::string& suite,
                                     const RightAnswer& answer);
 
 }  // namespace rt

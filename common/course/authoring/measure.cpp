@@ -8,7 +8,6 @@
 #include "common/system/terminal.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdio>
 
@@ -66,10 +65,8 @@ public:
         const Clock::time_point now = Clock::now();
         const double slower = done_ > 0 ? Seconds(begun_ - start_).count() / done_ : 1;
         const double done = done_ + std::min(Seconds(now - begun_).count() / slower, part_);
-        std::array<char, 64> text{};
-        std::snprintf(text.data(), text.size(), "measuring: %.0f %%, %.0f s left",
-                      100 * done / all_, slower * (all_ - done));
-        status_.show(text.data());
+        status_.show(formatted("measuring: %.0f %%, %.0f s left", 100 * done / all_,
+                               slower * (all_ - done)));
     }
 
 private:
@@ -136,7 +133,7 @@ bool can_run(const Command& command) {
 
 int measure(const std::vector<std::string>& names) {
     const std::vector<File> studied = chosen(names);
-    const std::filesystem::path docs = project_folder / "docs";
+    const fs::path docs = project_folder / "docs";
     const auto needs_meshes = [](const File& file) { return file.meshes; };
     if (!has_oracle)
         throw InputError({}, "measure needs Boost: libboost-dev, or what your system calls it");

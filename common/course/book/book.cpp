@@ -5,8 +5,7 @@
 #include "common/course/build/compiler_errors.hpp"
 #include "common/course/build/manifest.hpp"
 #include "common/course/build/project.hpp"
-#include "common/course/view/host.hpp"
-#include "common/system/files.hpp"
+#include "common/course/view/server.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
 #include "common/system/terminal.hpp"
@@ -16,16 +15,12 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
-#include <cstdio>
-#include <filesystem>
 #include <map>
 #include <mutex>
 #include <set>
 #include <vector>
 
 namespace rt {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -52,7 +47,7 @@ std::string listing(const fs::path& folder) {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder))
         names.push_back(entry.path().filename().string() + (entry.is_directory() ? "/" : ""));
-    std::sort(names.begin(), names.end());
+    std::ranges::sort(names);
     std::string page = "<!DOCTYPE html>\n<title>Raysteps</title>\n<ul>\n";
     for (const std::string& name : names)
         if (name.find_first_of("<>&\"%?#") == std::string::npos)
@@ -63,7 +58,7 @@ std::string listing(const fs::path& folder) {
 /// Returns whether a name, relative to a folder, is in the folder and no part of it is hidden.
 bool is_open(const fs::path& name) {
     const auto is_hidden = [](const fs::path& part) { return part.string().starts_with('.'); };
-    return !name.empty() && name.is_relative() && std::none_of(name.begin(), name.end(), is_hidden);
+    return !name.empty() && name.is_relative() && std::ranges::none_of(name, is_hidden);
 }
 
 /// A file of the project or of its site. A symbolic link leads to no other file.
@@ -88,7 +83,7 @@ Response file_of(const fs::path& project, const std::string& path) {
 }
 
 void check_source(const std::string& source) {
-    const bool is_address = source.rfind("https://", 0) == 0 || source.rfind("http://", 0) == 0;
+    const bool is_address = source.starts_with("https://") || source.starts_with("http://");
     if (!is_address || source.find_first_of(" \t\n\"'<>\\") != std::string::npos)
         throw InputError({},
                          "book: --source: expected an address, such as "
@@ -109,7 +104,7 @@ int book(const BookSettings& settings) {
     if (settings.out) {
         write_site(settings.project, *settings.out,
                    settings.source.empty() ? address_on_github(settings.project) : settings.source);
-        std::puts(tr("{folder}: open index.html", {{"folder", *settings.out}}).c_str());
+        print_line(tr("{folder}: open index.html", {{"folder", *settings.out}}));
         return 0;
     }
     if (settings.pdf) check_printing(*settings.pdf);
@@ -123,8 +118,8 @@ int book(const BookSettings& settings) {
         throw InputError({}, "this hand-out does not contain the book: read docs/README.md");
     if (settings.pdf) {
         print_pages(settings.project / site, *settings.pdf);
-        std::puts(tr("{folder}: a PDF for each stage, and course.pdf", {{"folder", *settings.pdf}})
-                      .c_str());
+        print_line(
+            tr("{folder}: a PDF for each stage, and course.pdf", {{"folder", *settings.pdf}}));
         return 0;
     }
     Host host(0);
@@ -140,8 +135,6 @@ int book(const BookSettings& settings) {
         [&over] { over = true; });
     return 0;
 }
-
-namespace fs = std::filesystem;
 
 namespace {
 

@@ -2,16 +2,16 @@
 #pragma once
 
 #include "common/course/view/http.hpp"
+#include "common/system/files.hpp"
 
 #include <atomic>
-#include <filesystem>
 #include <optional>
 #include <string>
 
 namespace rt {
 
 struct BookSettings {
-    std::filesystem::path project;
+    fs::path project;
     std::optional<std::string> out;  ///< the folder for the site; without it, it is served
     std::optional<std::string> pdf;  ///< the folder for the printed pages; nothing is served then
     std::string source;              ///< where links to the project's files lead; empty: to GitHub,

@@ -4,7 +4,6 @@
 #include "common/course/build/manifest.hpp"
 #include "common/course/build/project.hpp"
 #include "common/stages/stages.hpp"
-#include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
 #include "common/system/terminal.hpp"
@@ -17,11 +16,8 @@
 #include <regex>
 #include <set>
 #include <string>
-#include <vector>
 
 namespace rt {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -113,8 +109,6 @@ std::string address_on_github(const fs::path& project) {
     if (remote.status != 0 || !std::regex_match(remote.output, found, name)) return "";
     return "https://github.com/" + found[1].str() + "/blob/HEAD";
 }
-
-namespace fs = std::filesystem;
 
 namespace {
 

@@ -14,7 +14,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <map>
 #include <thread>
@@ -50,19 +49,19 @@ public:
             const std::string edge =
                 line.substr(std::size_t(end), line.find_last_not_of('\n') + 1 - std::size_t(end));
             show_progress(done, total, seconds, edge);
-            const bool compiles = edge.rfind(compiling, 0) == 0 && is_student_object(edge);
+            const bool compiles = edge.starts_with(compiling) && is_student_object(edge);
             object_ = compiles ? edge.substr(compiling.size()) : "";
             if (!object_.empty()) warnings_[object_] = "";
             in_failure_ = false;
             if (done_) done_(edge);
-        } else if (line.rfind("FAILED: ", 0) == 0) {
+        } else if (line.starts_with("FAILED: ")) {
             failures_.emplace_back();
             in_failure_ = skip_ = true;
             warnings_.erase(object_);
             // the long command line of a failed step, which does not help the student
         } else if (skip_) {
             skip_ = false;
-        } else if (line.rfind("ninja: ", 0) != 0 || line.rfind("ninja: error: ", 0) == 0) {
+        } else if (!line.starts_with("ninja: ") || line.starts_with("ninja: error: ")) {
             (in_failure_ ? failures_.back() : rest_) += line;
             if (!in_failure_ && !object_.empty()) warnings_[object_] += line;
         }
@@ -72,7 +71,7 @@ public:
     std::string end() {
         for (const auto& [object, output] : warnings_) keep_warnings(build_folder / object, output);
         // A file that fails in one precision fails in the other with the same message.
-        std::sort(failures_.begin(), failures_.end());
+        std::ranges::sort(failures_);
         failures_.erase(std::unique(failures_.begin(), failures_.end()), failures_.end());
         std::string all;
         for (const std::string& failure : failures_) all += failure;
@@ -88,10 +87,10 @@ private:
             status_.show(tr("configuring …"));
             return;
         }
-        std::array<char, 32> share{};
-        std::snprintf(share.data(), share.size(), "%3d", 100 * done / total);
         const std::string left = tr_text(time_left(seconds - before_, done, total));
-        const Values values = {{"percent", share.data()}, {"left", left}, {"file", file_of(edge)}};
+        const Values values = {{"percent", formatted("%3d", 100 * done / total)},
+                               {"left", left},
+                               {"file", file_of(edge)}};
         status_.show(tr("building: {percent} %{left}: {file}", values));
     }
 
@@ -137,7 +136,7 @@ Build try_build(const std::vector<std::string>& targets,
     const BuildLock lock;
     Listener listener(done);
     std::string line;  // the last one, whose end is not printed yet
-    const auto began = std::filesystem::file_time_type::clock::now();
+    const auto began = fs::file_time_type::clock::now();
     const int status = run_heard(command, Streams::both, [&](std::string_view piece) {
         if (piece.empty()) listener.wait();
         line += piece;

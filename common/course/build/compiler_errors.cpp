@@ -179,7 +179,7 @@ std::string first_warning(const std::string& output) {
     const Lines of_headers = in_inlined_functions(lines, "warning");
     all.insert(all.end(), of_headers.begin(), of_headers.end());
     if (all.empty()) return "";
-    const auto telling = std::find_if(all.begin(), all.end(), [](const std::string& warning) {
+    const auto telling = std::ranges::find_if(all, [](const std::string& warning) {
         return std::regex_search(warning, patterns().wrong_value);
     });
     return (telling == all.end() ? all.front() : *telling) + "\n";

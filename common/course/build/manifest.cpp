@@ -1,13 +1,10 @@
 #include "common/course/build/manifest.hpp"
 
-#include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 
 #include <cstdint>
 
 namespace rt {
-
-namespace fs = std::filesystem;
 
 bool Manifest::matches(const fs::path& folder, const std::string& path) const {
     const auto known = fingerprints.find(path);

@@ -2,14 +2,14 @@
 #pragma once
 
 #include "common/stages/stages.hpp"
+#include "common/system/files.hpp"
 
-#include <filesystem>
 #include <string>
 
 namespace rt {
 
-extern const std::filesystem::path project_folder;
-extern const std::filesystem::path build_folder;
+extern const fs::path project_folder;
+extern const fs::path build_folder;
 
 /// True if OpenMesh is installed; without it, stage 13 is left out of the build.
 extern const bool has_meshes;
@@ -30,7 +30,7 @@ void read_project_translations(const std::string& name);
 
 /// False if this is a hand-out that leaves out the stage: it has no starter.
 [[nodiscard]] inline bool is_here(int stage) {
-    return std::filesystem::exists(project_folder / step_path(stage, "starter"));
+    return fs::exists(project_folder / step_path(stage, "starter"));
 }
 
 /// A program or test of the stage: "step05_triangle" + suffix.

@@ -3,7 +3,6 @@
 
 #include "common/course/build/student_objects.hpp"
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,8 +13,8 @@ namespace rt {
 /// unless each thread has its own, one that another thread may overwrite.
 struct StaticVariable {
     std::string name;
-    std::filesystem::path file;  ///< relative to the project's folder
-    int line = 0;                ///< of its declaration
+    fs::path file;  ///< relative to the project's folder
+    int line = 0;   ///< of its declaration
     bool of_each_thread = false;
 };
 

@@ -1,7 +1,8 @@
 // The compiler's warnings about the student's files, and the symbols of their objects.
 #pragma once
 
-#include <filesystem>
+#include "common/system/files.hpp"
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,8 +23,8 @@ struct Symbol {
 /// A student's file, compiled in double since it changed.
 struct CompiledFile {
     int stage = 0;
-    std::filesystem::path file;
-    std::filesystem::path object;
+    fs::path file;
+    fs::path object;
     std::vector<Symbol> symbols = {};
 };
 
@@ -35,10 +36,10 @@ struct CompiledFile {
 
 /// Makes objects older than the student's files that were saved since the build began: ninja
 /// compares a file with the end of its compile, so it would not compile them again.
-void outdate_objects(std::filesystem::file_time_type build_began);
+void outdate_objects(fs::file_time_type build_began);
 
 /// Keeps the compiler's output on an object beside it: it is printed only when a file is compiled.
-void keep_warnings(const std::filesystem::path& object, const std::string& output);
+void keep_warnings(const fs::path& object, const std::string& output);
 
 /// The kept output on the student's files of a stage, as they were last compiled.
 [[nodiscard]] std::string kept_warnings(int stage);
@@ -46,8 +47,8 @@ void keep_warnings(const std::filesystem::path& object, const std::string& outpu
 /// A symbol that files of two stages define, so that no program can be linked from both.
 struct SharedSymbol {
     std::string name;  ///< "rt::solve(float, float)"
-    std::filesystem::path file;
-    std::filesystem::path other_file;  ///< of another stage
+    fs::path file;
+    fs::path other_file;  ///< of another stage
 };
 
 /// These symbols of the files of a stage.

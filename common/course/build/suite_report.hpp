@@ -1,6 +1,9 @@
 // The report of a suite on its cases.
 #pragma once
 
+#include "common/system/files.hpp"
+
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,6 +28,10 @@ struct CaseResult {
 
 /// Parses the output of tests/kit/report.cpp.
 [[nodiscard]] std::vector<CaseResult> read_report(const std::string& text);
+
+/// The cases that the starter in this folder of a stage passes: they prove nothing about a file in
+/// which something is missing.
+[[nodiscard]] std::set<std::string> passed_by_starter(const fs::path& stage);
 
 /// The number of cases that the suite has, also those that were not reached; 0 if not reported.
 [[nodiscard]] int cases_in_suite(const std::string& report);

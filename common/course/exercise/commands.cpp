@@ -5,14 +5,12 @@
 #include "common/course/exercise/workbook.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
-#include "common/system/paint.hpp"
 #include "common/system/terminal.hpp"
 #include "common/system/translation.hpp"
 #include "common/system/wrap.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 namespace rt {
 
@@ -60,9 +58,9 @@ void show_progress() {
         line += workbook.state() == State::untouched ? tr(brings[std::size_t(stage - 1)])
                                                      : workbook.summary();
         line = mark + cut(line, terminal_columns() - 1);
-        std::puts(workbook.state() == State::done ? styled(line, Style::good).c_str()
-                  : stage == current              ? styled(line, Style::bold).c_str()
-                                                  : line.c_str());
+        print_line(workbook.state() == State::done ? styled(line, Style::good).c_str()
+                   : stage == current              ? styled(line, Style::bold).c_str()
+                                                   : line);
     }
 }
 
@@ -72,36 +70,33 @@ void show_next() {
     const std::string command = (started ? "check " : "start ") + std::to_string(current);
     const std::string line = tr("Next: ./course {command}, and read docs/{stage}.md",
                                 {{"command", command}, {"stage", name_of(current)}});
-    std::fputs(wrapped_page(line, 0).c_str(), stdout);
+    print(wrapped_page(line, 0));
 }
 
 void start(int stage) {
     Workbook workbook(stage);
     workbook.start();
-    for (const std::filesystem::path& file : workbook.files())
-        std::puts(tr("yours to write: {file}",
-                     {{"file", file.lexically_relative(project_folder).string()}})
-                      .c_str());
+    for (const fs::path& file : workbook.files())
+        print_line(tr("yours to write: {file}",
+                      {{"file", file.lexically_relative(project_folder).string()}}));
     // A hand-out in a language has its pages in that language.
-    const bool is_english = !std::filesystem::exists(project_folder / "lang/default.txt");
+    const bool is_english = !fs::exists(project_folder / "lang/default.txt");
     const std::string page = "docs/" + name_of(stage) + ".md";
-    std::puts(tr("read:           {page}\nthen:           ./course check {number}",
-                 {{"page", is_english ? tr("{page}", {{"page", page}}) : page},
-                  {"number", std::to_string(stage)}})
-                  .c_str());
+    print_line(
+        tr("read:           {page}\nthen:           ./course check {number}",
+           {{"page", is_english ? tr("{page}", {{"page", page}}) : page}, {"number", stage}}));
 }
 
 void reset(int stage) {
-    std::puts(
-        tr("your old files are kept in {folder}", {{"folder", Workbook(stage).reset()}}).c_str());
+    print_line(tr("your old files are kept in {folder}", {{"folder", Workbook(stage).reset()}}));
 }
 
 void show_hint(int stage, std::optional<int> level) {
     const int levels = hint_count(stage);
     if (levels == 0) throw InputError({}, tr("the hints are not part of this hand-out"));
     if (level.value_or(1) > levels)
-        throw InputError({}, tr("this hand-out has hints up to level {level}",
-                                {{"level", std::to_string(levels)}}));
+        throw InputError({},
+                         tr("this hand-out has hints up to level {level}", {{"level", levels}}));
     Workbook workbook(stage);
     Record record = workbook.record();
     if (record.hint_part != record.part) record.hint_level = 0;
@@ -111,16 +106,13 @@ void show_hint(int stage, std::optional<int> level) {
     record.hint_level = std::max(record.hint_level, shown);
     const std::string part = record.part.empty() ? "" : ", " + tr(record.part);
     read_project_translations("docs/" + name_of(stage));
-    std::printf("%s\n\n%s",
-                tr("{stage}, hint {level} of {levels}", {{"stage", name_of(stage) + part},
-                                                         {"level", std::to_string(shown)},
-                                                         {"levels", std::to_string(levels)}})
-                    .c_str(),
-                paragraphs_translated(hint_text(stage, shown, record.part)).c_str());
+    print_line(tr("{stage}, hint {level} of {levels}",
+                  {{"stage", name_of(stage) + part}, {"level", shown}, {"levels", levels}}) +
+               "\n");
+    print(paragraphs_translated(hint_text(stage, shown, record.part)));
     if (shown > 1)
-        std::printf("\n%s\n", tr("An earlier hint again: ./course hint {number} 1",
-                                 {{"number", std::to_string(stage)}})
-                                  .c_str());
+        print_line("\n" +
+                   tr("An earlier hint again: ./course hint {number} 1", {{"number", stage}}));
     workbook.remember(record);
 }
 
@@ -132,15 +124,14 @@ int show_solution(int stage) {
     ++record.solution_asked;
     workbook.remember(record);
     if (workbook.state() != State::done && record.solution_asked < 2) {
-        std::puts(tr("{stage} does not pass yet. ./course hint {number} helps; repeat the command "
-                     "for the solution.",
-                     {{"stage", name_of(stage)}, {"number", std::to_string(stage)}})
-                      .c_str());
+        print_line(
+            tr("{stage} does not pass yet. ./course hint {number} helps; repeat the command "
+               "for the solution.",
+               {{"stage", name_of(stage)}, {"number", stage}}));
         return 1;
     }
     for (const auto& file : files)
-        std::printf("// %s\n%s", file.lexically_relative(project_folder).c_str(),
-                    read_text(file).c_str());
+        print("// " + file.lexically_relative(project_folder).string() + "\n" + read_text(file));
     return 0;
 }
 

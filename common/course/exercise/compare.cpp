@@ -8,8 +8,6 @@
 
 #include <unistd.h>
 
-#include <cstdio>
-
 namespace rt {
 
 int compare_pictures(const ComparisonRequest& contest) {
@@ -25,14 +23,12 @@ int compare_pictures(const ComparisonRequest& contest) {
     build_both(contest);
     const Comparison comparison = compare_both(contest);
     write_png((project_folder / file).string(), comparison.side_by_side, {});
-    if (isatty(STDOUT_FILENO) == 1)
-        std::fputs(preview(comparison.side_by_side, terminal_columns()).c_str(), stdout);
-    std::printf("%s\n%s\n",
-                tr("{file}: yours, the reference's, the difference", {{"file", file}}).c_str(),
-                summary(comparison).c_str());
+    if (isatty(STDOUT_FILENO) == 1) print(preview(comparison.side_by_side, terminal_columns()));
+    print_line(tr("{file}: yours, the reference's, the difference", {{"file", file}}));
+    print_line(summary(comparison));
     show_parts(contest);
     if (!comparison.center) return 0;
-    std::puts(tr("Why? {command}", {{"command", explain_command(contest)}}).c_str());
+    print_line(tr("Why? {command}", {{"command", explain_command(contest)}}));
     return 1;
 }
 

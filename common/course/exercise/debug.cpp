@@ -53,7 +53,7 @@ SuiteCase case_to_debug(int stage, const std::string& words) {
     if (!found && words.empty())
         throw InputError({}, tr("no case failed in the last check: {check}, or name a case in "
                                 "quotes: ./course debug {stage} \"CASE\"",
-                                {{"check", check}, {"stage", std::to_string(stage)}}));
+                                {{"check", check}, {"stage", stage}}));
     if (!found)
         throw InputError({}, tr("no case of the last check is called \"{words}\": {check}",
                                 {{"words", words}, {"check", check}}));
@@ -81,8 +81,8 @@ Command program_of_case() {
 /// calls until the failure, which it returns: 0 if the case ends otherwise, as with a crash.
 long prepare(const std::string& target, const std::string& case_name) {
     const StatusLine status(tr("looking for the call that fails …"));
-    std::filesystem::remove(build_folder / "debug_case");
-    std::filesystem::create_symlink(target, build_folder / "debug_case");
+    fs::remove(build_folder / "debug_case");
+    fs::create_symlink(target, build_folder / "debug_case");
     write_text(build_folder / "debug_case.txt", quoted(case_name) + "\n");
     const TemporaryFolder folder(build_folder);
     const std::string file = (folder.path() / "calls").string();
@@ -91,15 +91,15 @@ long prepare(const std::string& target, const std::string& case_name) {
     command.insert(command.end(), program.begin(), program.end());
     const ProcessResult ending = run_captured(command, case_limit);
     long calls = 0;
-    if (std::filesystem::exists(file)) calls = std::atol(read_text(file).c_str());
+    if (fs::exists(file)) calls = std::atol(read_text(file).c_str());
     write_text(build_folder / "debug_case.env", "RAYSTEPS_STOP_AT=" + std::to_string(calls) + "\n");
     if (calls == 0 && !ending.out_of_time && ending.crash.empty() && ending.status == 0)
         throw InputError({},
                          tr("the case passes with this file: ./course check tests the file again"));
     if (ending.out_of_time)
-        std::puts(wrapped(tr("The case does not end: Ctrl-C stops it where it is, and backtrace "
-                             "shows how it came there."))
-                      .c_str());
+        print_line(
+            wrapped(tr("The case does not end: Ctrl-C stops it where it is, and backtrace "
+                       "shows how it came there.")));
     return calls;
 }
 
@@ -150,7 +150,8 @@ int debug(int stage, const std::string& words, bool starts) {
         calls > 0 ? tr("The debugger stops in your function, in the last call before the failure. "
                        "Then: next, step, print NAME, backtrace, quit.")
                   : tr("The debugger stops where the program ends.");
-    std::printf("%s\n%s\n", wrapped(tr(chosen.name) + remark).c_str(), wrapped(stop).c_str());
+    print_line(wrapped(tr(chosen.name) + remark));
+    print_line(wrapped(stop));
     std::fflush(stdout);
     return starts ? run_process(debugger_of(calls)) : 0;
 }

@@ -3,7 +3,6 @@
 #include "common/course/build/build.hpp"
 #include "common/course/build/project.hpp"
 #include "common/course/exercise/telling_case.hpp"
-#include "common/system/files.hpp"
 #include "common/system/process.hpp"
 #include "common/system/terminal.hpp"
 #include "common/system/translation.hpp"
@@ -28,37 +27,33 @@ ProcessResult diagnosed(const Command& command) {
 /// The output of `diagnose`: "mistake: name: sentence", "always: sentence" and other sentences,
 /// then "smallest: call" and its indented lines.
 Diagnosis read_diagnosis(const std::string& output) {
-    const std::string mistake = "mistake: ";
-    const std::string always = "always: ";
-    const std::string smallest = "smallest: ";
     Diagnosis diagnosis;
     for (const std::string& line : lines_of(output)) {
-        if (line.starts_with(smallest))
-            diagnosis.smallest = line.substr(smallest.size()) + "\n";
+        const auto mistake = after("mistake: ", line);
+        if (const auto smallest = after("smallest: ", line))
+            diagnosis.smallest = *smallest + "\n";
         else if (!diagnosis.smallest.empty())
             diagnosis.smallest += line + "\n";
-        else if (const std::size_t colon = line.find(": ", mistake.size());
-                 line.starts_with(mistake) && colon != std::string::npos) {
-            diagnosis.names.push_back(line.substr(mistake.size(), colon - mistake.size()));
-            diagnosis.sentences.push_back(line.substr(colon + 2));
+        else if (const auto colon = mistake.value_or("").find(": "); colon != std::string::npos) {
+            diagnosis.names.push_back(mistake->substr(0, colon));
+            diagnosis.sentences.push_back(mistake->substr(colon + 2));
         } else if (!line.empty())
-            diagnosis.sentences.push_back(
-                line.substr(line.starts_with(always) ? always.size() : 0));
+            diagnosis.sentences.push_back(after("always: ", line).value_or(line));
     }
     return diagnosis;
 }
 
 }  // namespace
 
-Diagnosis diagnosis_of(int stage, const std::filesystem::path& report,
+Diagnosis diagnosis_of(int stage, const fs::path& report,
                        const std::vector<std::string>& unwritten) {
     const std::string student = stage_target(stage, "_worker_double");
     const std::string reference = stage_target(stage, "_reference_worker");
     if (!try_build({"diagnose", student, reference}).succeeded) return {};  // not on this system
     const std::string slice = "renders/" + stage_target(stage, "_slice.svg");
-    const std::filesystem::path drawing = project_folder / slice;
+    const fs::path drawing = project_folder / slice;
     std::error_code none;
-    std::filesystem::remove(drawing, none);
+    fs::remove(drawing, none);
     Command command = {
         program("diagnose"),
         (project_folder / mistakes_folder / stage_name(stage) / "probes.txt").string(),
@@ -70,7 +65,7 @@ Diagnosis diagnosis_of(int stage, const std::filesystem::path& report,
     const ProcessResult ending = diagnosed(command);
     if (ending.out_of_time || ending.status != 1) return {};
     Diagnosis diagnosis = read_diagnosis(ending.output);
-    if (std::filesystem::exists(drawing)) {
+    if (fs::exists(drawing)) {
         write_text(drawing, tr_lines(read_text(drawing)));
         diagnosis.drawing = slice;
     }

@@ -1,7 +1,8 @@
 // Known mistakes in a student's functions, by the program `diagnose`.
 #pragma once
 
-#include <filesystem>
+#include "common/system/files.hpp"
+
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ struct Diagnosis {
 /// the smallest call with a wrong answer. `report` is that of the stage's suite in double. Builds
 /// the programs for that; the diagnosis is empty on systems without them. The functions named in
 /// `unwritten` are left out.
-[[nodiscard]] Diagnosis diagnosis_of(int stage, const std::filesystem::path& report,
+[[nodiscard]] Diagnosis diagnosis_of(int stage, const fs::path& report,
                                      const std::vector<std::string>& unwritten);
 
 }  // namespace rt

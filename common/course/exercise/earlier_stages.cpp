@@ -2,19 +2,18 @@
 
 #include "common/course/build/project.hpp"
 #include "common/course/exercise/workbook.hpp"
+#include "common/system/terminal.hpp"
+#include "common/system/text.hpp"
 #include "common/system/translation.hpp"
 #include "common/system/wrap.hpp"
-
-#include <cstdio>
 
 namespace rt {
 
 std::string references_used(int stage) {
     const std::vector<int> others = started_before(stage);
     if (others.empty()) return "";
-    std::string list;
-    for (const int other : others) list += (list.empty() ? "" : ", ") + std::to_string(other);
-    const Values values = {{"others", list}, {"stage", std::to_string(stage)}};
+    const auto text = [](int other) { return std::to_string(other); };
+    const Values values = {{"others", joined(others, text)}, {"stage", stage}};
     const std::string sentence =
         others.size() > 1 ? tr("Judged with the references in place of your stages {others}; "
                                "./course run {stage} uses yours.",
@@ -33,12 +32,10 @@ void warn_of_earlier(int stage, const std::string& references) {
         const std::string number = std::to_string(other);
         const bool is_used = without.find(";" + number + ";") == std::string::npos;
         if (!is_used || workbook.state() == State::done) continue;
-        std::fprintf(
-            stderr, "%s\n",
+        print_error(
             tr("your {stage} is used: {verdict}. See ./course check {number}, or leave it "
                "out: --reference {number}",
-               {{"stage", name_of(other)}, {"verdict", workbook.verdict()}, {"number", number}})
-                .c_str());
+               {{"stage", name_of(other)}, {"verdict", workbook.verdict()}, {"number", number}}));
     }
 }
 

@@ -10,8 +10,6 @@
 #include "common/system/translation.hpp"
 #include "common/system/wrap.hpp"
 
-#include <cstdio>
-
 namespace rt {
 
 namespace {
@@ -48,9 +46,8 @@ void show_dependence(int stage, const std::string& pixel, const std::string& dra
                            explanation.find("the mean of more rays") != std::string::npos;
     const std::string alone = value_in_log(explanation, "8-bit");
     if (drawn.empty() || is_a_mean || alone == drawn) return;
-    std::string kept;
-    for (const StaticVariable& each : static_variables(stage, compiled_files()))
-        kept += (kept.empty() ? "" : ", ") + each.name;
+    const std::string kept =
+        joined(static_variables(stage, compiled_files()), &StaticVariable::name);
     const Values values = {{"pixel", pixel}, {"drawn", drawn}, {"alone", alone}, {"names", kept}};
     const std::string words =
         tr("In your picture, the pixel {pixel} is {drawn}; its ray alone gives {alone}. Your "
@@ -60,7 +57,7 @@ void show_dependence(int stage, const std::string& pixel, const std::string& dra
         (kept.empty() ? tr("The usual cause is a variable without a value, an index out of range, "
                            "or a static variable.")
                       : tr("The usual cause is the static or global variable {names}.", values));
-    std::printf("\n%s\n", wrapped(words).c_str());
+    print_line("\n" + wrapped(words));
 }
 
 /// Explains the question of a call to both workers.
@@ -101,9 +98,8 @@ void explain_failing_question(const ComparisonRequest& contest) {
     const std::optional<FailingQuestion> question =
         failing_question(results, shown_case(contest.stage));
     if (!question) {
-        std::puts(tr("The suite tests what the picture does not show: ./course check {stage}",
-                     {{"stage", number}})
-                      .c_str());
+        print_line(tr("The suite tests what the picture does not show: ./course check {stage}",
+                      {{"stage", number}}));
         return;
     }
     const std::string all = contest.all ? "" : "./course explain " + number + " --all";
@@ -111,11 +107,10 @@ void explain_failing_question(const ComparisonRequest& contest) {
                                       ? explain_scene(*question, contest, all)
                                       : explain_call(*question, contest.stage, all);
     read_project_translations(step_path(contest.stage, "sentences"));
-    std::printf("%s\n\n%s",
-                tr("The picture cannot show it. The first failing case of the last check: {case}",
-                   {{"case", tr(question->case_name)}})
-                    .c_str(),
-                explained.c_str());
+    print_line(tr("The picture cannot show it. The first failing case of the last check: {case}",
+                  {{"case", tr(question->case_name)}}) +
+               "\n");
+    print(explained);
 }
 
 }  // namespace
@@ -125,7 +120,7 @@ int explain_pixel(const ComparisonRequest& contest, std::string pixel) {
     std::string drawn;  // the color of the pixel in the student's picture
     if (pixel.empty()) {
         const Comparison comparison = compare_both(contest);
-        std::printf("%s\n", summary(comparison).c_str());
+        print_line(summary(comparison));
         if (!comparison.center) {
             if (contest.words.empty()) explain_failing_question(contest);
             show_parts(contest);
@@ -138,7 +133,7 @@ int explain_pixel(const ComparisonRequest& contest, std::string pixel) {
     const auto both = explain_both(contest, pixel);
     const LogDiff diff = compare_explanations(contest, pixel, both);
     const std::string all = contest.all ? "" : explain_command(contest) + " " + pixel + " --all";
-    std::fputs(text(diff, all).c_str(), stdout);
+    print(text(diff, all));
     show_dependence(contest.stage, pixel, drawn, both.mine);
     show_parts(contest);
     return 0;

@@ -11,11 +11,6 @@ namespace rt {
 
 namespace {
 
-std::string trimmed(const std::string& line) {
-    const std::size_t start = line.find_first_not_of(' ');
-    return start == std::string::npos ? "" : line.substr(start);
-}
-
 /// "--term specular" of "save it to render it, with --term specular and …".
 Command options_in(const std::string& line) {
     Command options;
@@ -56,7 +51,7 @@ FailingQuestion question_in(const std::string& failure) {
     return question;
 }
 
-std::filesystem::path file_of_shown_case(int stage) {
+fs::path file_of_shown_case(int stage) {
     return build_folder / stage_target(stage, "_shown_case.txt");
 }
 
@@ -67,14 +62,14 @@ void remember_shown_case(int stage, const std::string& name) {
 }
 
 std::string shown_case(int stage) {
-    const std::filesystem::path file = file_of_shown_case(stage);
-    return std::filesystem::exists(file) ? read_text(file) : "";
+    const fs::path file = file_of_shown_case(stage);
+    return fs::exists(file) ? read_text(file) : "";
 }
 
 std::optional<FailingQuestion> failing_question(std::vector<CaseResult> results,
                                                 const std::string& shown) {
-    std::stable_partition(results.begin(), results.end(),
-                          [&shown](const CaseResult& each) { return each.name == shown; });
+    std::ranges::stable_partition(results,
+                                  [&shown](const CaseResult& each) { return each.name == shown; });
     for (const CaseResult& each : results) {
         if (each.passed) continue;
         FailingQuestion question = question_in(each.failure);

@@ -1,21 +1,14 @@
 #include "common/course/exercise/failure_text.hpp"
 
-#include "common/system/files.hpp"
+#include "common/system/text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <functional>
 
 namespace rt {
-
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-        text.replace(at, from.size(), to);
-}
 
 namespace {
 
@@ -69,9 +62,7 @@ std::string with_numbers(const std::string& text,
 }
 
 std::string rounded(const std::string& number, int digits) {
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "%.*g", digits, std::atof(number.c_str()));
-    return text.data();
+    return formatted("%.*g", digits, std::atof(number.c_str()));
 }
 
 /// A number of a call. One that differs a little from a short number keeps its digits, unless that
@@ -139,7 +130,7 @@ std::string brief_code(const std::string& code) {
 
 std::vector<std::string> failure_lines(const std::string& failure, bool complete) {
     const std::vector<std::string> lines = lines_of(failure);
-    const auto got = std::find_if(lines.begin(), lines.end(), starts_answer);
+    const auto got = std::ranges::find_if(lines, starts_answer);
     const int digits = got == lines.end() || got + 1 == lines.end()
                            ? most_digits
                            : digits_to_tell_apart(*got, *(got + 1));

@@ -7,9 +7,6 @@
 
 namespace rt {
 
-/// Replaces the words wherever the text has them.
-void replace_all(std::string& text, const std::string& from, const std::string& to);
-
 /// The text with at most this many digits of each number that has a point or an exponent.
 [[nodiscard]] std::string with_digits(const std::string& text, int digits);
 

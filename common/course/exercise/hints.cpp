@@ -1,7 +1,6 @@
 #include "common/course/exercise/hints.hpp"
 
 #include "common/course/build/project.hpp"
-
 #include "common/system/files.hpp"
 
 #include <algorithm>
@@ -15,7 +14,7 @@ std::string hint_text(int stage, int level) {
     bool inside = false;
     for (const std::string& line :
          lines_of(read_text(project_folder / step_path(stage, "hints.md")))) {
-        if (line.rfind("## ", 0) == 0)
+        if (line.starts_with("## "))
             inside = line == "## " + std::to_string(level);
         else if (inside)
             text += line + "\n";
@@ -68,8 +67,7 @@ std::string hint_text(int stage, int level, const std::string& part) {
     std::string before;
     bool inside = false;
     for (const std::string& line : lines_of(whole)) {
-        if (before.empty() &&
-            std::find(labels.begin(), labels.end(), label_of(line)) != labels.end())
+        if (before.empty() && std::ranges::find(labels, label_of(line)) != labels.end())
             inside = names(part, label_of(line));
         if (inside) text += line + "\n";
         before = line;

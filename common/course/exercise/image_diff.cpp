@@ -73,9 +73,7 @@ Pixel middle(const std::vector<Pixel>& cluster) {
         return (pixel.row - row) * (pixel.row - row) +
                (pixel.column - column) * (pixel.column - column);
     };
-    return *std::min_element(
-        cluster.begin(), cluster.end(),
-        [&distance](const Pixel& a, const Pixel& b) { return distance(a) < distance(b); });
+    return *std::ranges::min_element(cluster, {}, distance);
 }
 
 std::optional<Pixel> center_of_largest(std::vector<bool> set, Resolution size) {
@@ -143,8 +141,7 @@ Comparison compare(const Image& mine, const Image& reference, int tolerated) {
     }
     comparison.center = center_of_largest(std::move(differs), size);
     comparison.side_by_side = Image({3 * size.width + 2 * gap, size.height});
-    std::fill(comparison.side_by_side.pixels.begin(), comparison.side_by_side.pixels.end(),
-              Rgb{255, 255, 255});
+    std::ranges::fill(comparison.side_by_side.pixels, Rgb{255, 255, 255});
     paste(mine, comparison.side_by_side, 0);
     paste(reference, comparison.side_by_side, size.width + gap);
     paste(shown, comparison.side_by_side, 2 * (size.width + gap));
@@ -168,8 +165,8 @@ std::string summary(const Comparison& comparison) {
     const auto [row, column] = *comparison.center;
     const Resolution shown = comparison.side_by_side.resolution;
     return tr("{number} of {all} pixels differ, most around row,column {pixel}",
-              {{"number", std::to_string(comparison.different)},
-               {"all", std::to_string((shown.width - 2 * gap) / 3 * shown.height)},
+              {{"number", comparison.different},
+               {"all", (shown.width - 2 * gap) / 3 * shown.height},
                {"pixel", std::to_string(row) + "," + std::to_string(column)}});
 }
 

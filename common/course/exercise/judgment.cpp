@@ -1,20 +1,18 @@
 #include "common/course/exercise/judgment.hpp"
 
 #include "common/stages/reasons.hpp"
-#include "common/system/files.hpp"
-#include "common/system/paint.hpp"
+#include "common/system/terminal.hpp"
+#include "common/system/text.hpp"
 #include "common/system/translation.hpp"
 #include "common/system/wrap.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 namespace rt {
 
 int Judged::passed() const {
-    return int(std::count_if(suite.cases.begin(), suite.cases.end(),
-                             [](const CaseResult& result) { return result.passed; }));
+    return int(std::ranges::count_if(suite.cases, &CaseResult::passed));
 }
 
 bool Judged::right() const {
@@ -37,8 +35,7 @@ bool Judgment::ended() const {
 }
 
 int Judgment::passed() const {
-    return int(std::count_if(outcomes.begin(), outcomes.end(),
-                             [](const Outcome& outcome) { return outcome.passed(); }));
+    return int(std::ranges::count_if(outcomes, &Outcome::passed));
 }
 
 int Judgment::cases() const {
@@ -67,10 +64,7 @@ struct Part {
     std::string name;
     std::vector<const Outcome*> cases;
 
-    [[nodiscard]] int passed() const {
-        return int(std::count_if(cases.begin(), cases.end(),
-                                 [](const Outcome* each) { return each->passed(); }));
-    }
+    [[nodiscard]] int passed() const { return int(std::ranges::count_if(cases, &Outcome::passed)); }
     [[nodiscard]] bool right() const { return passed() == int(cases.size()); }
 };
 
@@ -89,7 +83,7 @@ void show(const Outcome& outcome, const std::string& indent, bool is_given) {
     const bool in_float_only = outcome.in_double.passed && !outcome.passed();
     const std::string line = wrapped(indent + mark + tr(outcome.in_double.name) +
                                      (in_float_only ? "  " + tr("(in float only)") : ""));
-    std::printf("%s\n", styled(line, outcome.passed() ? Style::dim : Style::bad).c_str());
+    print_line(styled(line, outcome.passed() ? Style::dim : Style::bad));
 }
 
 }  // namespace
@@ -100,17 +94,14 @@ void show_cases(const std::vector<Outcome>& all, const std::set<std::string>& gi
         const Part& part = parts[i];
         const std::string line =
             (part.right() ? "  ✓ " : "  ✗ ") + std::to_string(i + 1) + " " +
-            tr("{part}: {passed} of {cases}", {{"part", tr(part.name)},
-                                               {"passed", std::to_string(part.passed())},
-                                               {"cases", std::to_string(part.cases.size())}});
-        if (parts.size() > 1)
-            std::printf("%s\n", styled(line, part.right() ? Style::dim : Style::bad).c_str());
+            tr("{part}: {passed} of {cases}",
+               {{"part", tr(part.name)}, {"passed", part.passed()}, {"cases", part.cases.size()}});
+        if (parts.size() > 1) print_line(styled(line, part.right() ? Style::dim : Style::bad));
         for (const Outcome* each : part.cases)
             show(*each, parts.size() == 1 ? "  " : "      ",
                  each->passed() && given.count(each->in_double.name) == 1);
     }
-    if (!given.empty())
-        std::printf("%s\n", styled("  · " + tr("passes unwritten too"), Style::dim).c_str());
+    if (!given.empty()) print_line(styled("  · " + tr("passes unwritten too"), Style::dim));
 }
 
 }  // namespace rt

@@ -2,8 +2,8 @@
 
 #include "common/course/exercise/failure_text.hpp"
 #include "common/stages/reasons.hpp"
-#include "common/system/files.hpp"
-#include "common/system/paint.hpp"
+#include "common/system/terminal.hpp"
+#include "common/system/text.hpp"
 #include "common/system/translation.hpp"
 #include "common/system/wrap.hpp"
 
@@ -91,12 +91,11 @@ std::vector<std::vector<int>> common_tails(const Lines& a, const Lines& b) {
 /// Removes the messages about functions that are not written yet, and returns them, each once.
 std::vector<std::string> take_unwritten(Lines& lines) {
     std::vector<std::string> taken;
-    const auto is_message = [&taken](const std::string& line) {
+    std::erase_if(lines, [&taken](const std::string& line) {
         if (line.find(not_written) == std::string::npos) return false;
-        if (std::find(taken.begin(), taken.end(), line) == taken.end()) taken.push_back(line);
+        if (std::ranges::find(taken, line) == taken.end()) taken.push_back(line);
         return true;
-    };
-    lines.erase(std::remove_if(lines.begin(), lines.end(), is_message), lines.end());
+    });
     return taken;
 }
 
@@ -108,10 +107,6 @@ bool starts_section(const std::string& line) {
 bool is_about_shapes(const std::string& line) {
     return starts_section(line) && (line.find('{') != std::string::npos ||
                                     line.starts_with("a mesh of ") || line == "The closest hit");
-}
-
-bool has_shapes(const Lines& log) {
-    return std::any_of(log.begin(), log.end(), is_about_shapes);
 }
 
 bool is_closest_hit(const std::string& line) {
@@ -206,8 +201,7 @@ std::vector<std::string> hits_in(const Lines& log) {
         hits.emplace_back(std::strtod(number.c_str(), nullptr),
                           "t = " + number.substr(0, number.find(' ')) + ": " + heading);
     }
-    std::stable_sort(hits.begin(), hits.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::ranges::stable_sort(hits, {}, &std::pair<double, std::string>::first);
     std::vector<std::string> texts;
     for (const auto& [t, text] : hits) texts.push_back(text);
     return texts;
@@ -223,7 +217,8 @@ LogDiff compare_logs(const std::string& mine, const std::string& reference, Writ
     Lines a = lines_of(mine);
     Lines b = lines_of(reference);
     LogDiff diff{.rows = {}, .first = "", .unwritten = take_unwritten(a)};
-    diff.has_own_loop = has_shapes(b) && !has_shapes(a);
+    diff.has_own_loop =
+        std::ranges::any_of(b, is_about_shapes) && std::ranges::none_of(a, is_about_shapes);
     if (diff.has_own_loop) b = without_sections(b, is_about_shapes);
     if (writer == Writer::own_loop) {
         b = without_sections(b, is_closest_hit);
@@ -299,8 +294,7 @@ std::vector<Section> sections_of(const LogDiff& diff) {
         const LogRow& row = diff.rows[i];
         if (sections.empty() || is_heading(row)) {
             sections.emplace_back();
-            sections.back().is_of_shape =
-                (row.mine ? *row.mine : *row.reference).find('{') != std::string::npos;
+            sections.back().is_of_shape = either(row).find('{') != std::string::npos;
         }
         sections.back().text += lines(row);
         sections.back().differs |= row.differs;
@@ -314,7 +308,7 @@ int keep(std::string& kept, const std::string& lines, int& room) {
     int left_out = 0;
     for (const std::string& each : lines_of(lines)) {
         const std::string shown = wrapped(each);
-        room -= 1 + int(std::count(shown.begin(), shown.end(), '\n'));
+        room -= 1 + int(std::ranges::count(shown, '\n'));
         if (room >= 0)
             kept += shown + "\n";
         else
@@ -339,9 +333,8 @@ std::string text(const LogDiff& diff, const std::string& all) {
     const std::string first = with_digits(diff.first, digits_shown);
     left_out += keep(shown, tr("The first difference: {what}", {{"what", first}}), room);
     const std::vector<Section> sections = sections_of(diff);
-    const bool answers_differ =
-        std::any_of(sections.begin(), sections.end(),
-                    [](const Section& each) { return each.is_first && each.is_of_shape; });
+    const bool answers_differ = std::ranges::any_of(
+        sections, [](const Section& each) { return each.is_first && each.is_of_shape; });
     if (!diff.hits_of_loop.empty() && !answers_differ) {
         left_out += keep(shown,
                          tr("Your loop gets the right answers from intersect. These are its hits, "
@@ -355,9 +348,8 @@ std::string text(const LogDiff& diff, const std::string& all) {
     for (const Section& each : sections)
         if (each.differs && !each.is_first) left_out += keep(shown, each.text, room);
     if (left_out > 0)
-        shown += tr("({number} more lines: {command})",
-                    {{"number", std::to_string(left_out)}, {"command", all}}) +
-                 "\n";
+        shown +=
+            tr("({number} more lines: {command})", {{"number", left_out}, {"command", all}}) + "\n";
     return shown;
 }
 

@@ -1,13 +1,10 @@
 #include "common/course/exercise/may_include.hpp"
 
 #include "common/stages/stages.hpp"
-#include "common/system/files.hpp"
 
 #include <sstream>
 
 namespace rt {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -35,10 +32,9 @@ std::string included_by(const std::string& line) {
 /// True if a line for `whose`, such as "trace:step04_plane" for each main.cpp from that stage on,
 /// is for the file.
 bool is_for(const std::string& whose, GradedFile graded) {
-    const std::string trace = "trace:";
-    if (!whose.starts_with(trace))
-        return whose == "all" || (!graded.is_trace && whose == stage_name(graded.stage));
-    return graded.is_trace && whose.substr(trace.size()) <= stage_name(graded.stage);
+    if (const auto first = after("trace:", whose))
+        return graded.is_trace && *first <= stage_name(graded.stage);
+    return whose == "all" || (!graded.is_trace && whose == stage_name(graded.stage));
 }
 
 /// The lines of steps/may_include.txt that are for the file.

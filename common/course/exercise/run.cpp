@@ -6,10 +6,10 @@
 #include "common/course/exercise/earlier_stages.hpp"
 #include "common/stages/reasons.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/terminal.hpp"
 #include "common/system/translation.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <thread>
 
@@ -28,18 +28,17 @@ void build_all_mine(int stage) {
         const std::string text = error.what();
         for (int other = 1; other < stage; ++other)
             if (text.find(step_path(other, "student/")) == 0)
-                throw ProgramError(text +
-                                   tr("Without that stage: --reference {stage}",
-                                      {{"stage", std::to_string(other)}}) +
-                                   "\n");
+                throw ProgramError(
+                    text + tr("Without that stage: --reference {stage}", {{"stage", other}}) +
+                    "\n");
         throw;
     }
 }
 
 /// True for the option that selects the exact precision, which has a program of its own.
 bool wants_exact(const Command& words) {
-    const auto name = std::find(words.begin(), words.end(), "--precision");
-    return std::find(words.begin(), words.end(), "--precision=exact") != words.end() ||
+    const auto name = std::ranges::find(words, "--precision");
+    return std::ranges::find(words, "--precision=exact") != words.end() ||
            (words.end() - name >= 2 && name[1] == "exact");
 }
 
@@ -51,7 +50,6 @@ void name_sentences() {
     setenv("RAYSTEPS_NOT_WRITTEN", tr(not_written).c_str(), 1);
 }
 
-/// Runs a program of the build.
 int run_built(const std::string& program, const Command& words) {
     Command command = {(build_folder / program).string()};
     command.insert(command.end(), words.begin(), words.end());
@@ -93,16 +91,15 @@ int run_tests(std::optional<int> stage, const Command& words) {
     build(targets);
     const int status = run_process(command);
     if (!stage && !has_meshes)
-        std::puts(tr("step13_meshes was left out: ./course test 13 installs OpenMesh").c_str());
-    std::puts(
-        (status == 0 ? tr("every test passed") : tr("not every test passed: see above")).c_str());
+        print_line(tr("step13_meshes was left out: ./course test 13 installs OpenMesh"));
+    print_line((status == 0 ? tr("every test passed") : tr("not every test passed: see above")));
     return status;
 }
 
 int run_grader(const Command& words) {
     choose_reference("all");
     std::vector<std::string> targets = {"grading"};
-    if (std::find(words.begin(), words.end(), "--self-test") != words.end())
+    if (std::ranges::find(words, "--self-test") != words.end())
         targets.insert(targets.end(), {"seal_test", "attacks_test"});
     build(targets);
     return run_built("grade", words);

@@ -4,10 +4,9 @@
 #include "common/course/build/project.hpp"
 #include "common/course/exercise/suite.hpp"
 #include "common/course/exercise/workbook.hpp"
-#include "common/system/files.hpp"
-#include "common/system/input_error.hpp"
+#include "common/system/terminal.hpp"
+#include "common/system/text.hpp"
 
-#include <cstdio>
 #include <cstdlib>
 
 namespace rt {
@@ -55,16 +54,14 @@ int check_with_sanitizers(int stage) {
             if (!result.ended.empty()) error = result.ended + "\n" + error;
             if (error.empty()) continue;
             const std::string name = result.cases.empty() ? "" : result.cases.back().name;
-            std::printf(
-                "%s\n%s\n",
-                tr("{case}, in {precision}", {{"case", tr(name)}, {"precision", word}}).c_str(),
-                error.c_str());
+            print_line(tr("{case}, in {precision}", {{"case", tr(name)}, {"precision", word}}));
+            print_line(error);
             return 1;
         }
     }
-    std::puts(tr("The sanitizers find no error: no index out of range, no use of memory that is "
-                 "gone, no undefined operation.")
-                  .c_str());
+    print_line(
+        tr("The sanitizers find no error: no index out of range, no use of memory that is "
+           "gone, no undefined operation."));
     return 0;
 }
 

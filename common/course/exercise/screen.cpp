@@ -5,9 +5,8 @@
 #include "common/course/exercise/failure_text.hpp"
 #include "common/course/exercise/hints.hpp"
 #include "common/stages/reasons.hpp"
-#include "common/system/files.hpp"
-#include "common/system/paint.hpp"
 #include "common/system/terminal.hpp"
+#include "common/system/text.hpp"
 #include "common/system/translation.hpp"
 #include "common/system/wrap.hpp"
 
@@ -25,28 +24,13 @@ std::string prose(const std::string& line, std::optional<Style> style = std::nul
     return (style ? styled(text, *style) : text) + "\n";
 }
 
-std::string listed(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
-}
-
-/// The cases that the starter passes: they prove nothing about a file in which something is
-/// missing.
-std::set<std::string> passed_by_starter(int stage) {
-    const std::filesystem::path file = project_folder / step_path(stage, "starter/passes.txt");
-    if (!std::filesystem::exists(file)) return {};
-    const std::vector<std::string> lines = lines_of(read_text(file));
-    return {lines.begin(), lines.end()};
-}
-
 /// The output of the student's code, each line once, since code may print for every ray.
 std::string prints_text(const std::string& output, bool complete) {
     const std::size_t most = complete ? 12 : 4;
     std::vector<std::string> prints;
     for (const std::string& line : lines_of(output))
         if (line.find(not_written) == std::string::npos && prints.size() <= most &&
-            std::find(prints.begin(), prints.end(), line) == prints.end())
+            std::ranges::find(prints, line) == prints.end())
             prints.push_back(line);
     if (prints.empty()) return "";
     std::string text = "\n" + tr("Your code prints:") + "\n";
@@ -88,10 +72,10 @@ FailureText text_of(const CaseResult& failed, const SuiteResult& suite, bool com
     // A failure that came before is of another question.
     std::string answer = wrapped("    " + failed.ended) + "\n";
     if (suite.not_reached > 0)
-        answer += "    " +
-                  tr("The {number} cases after this one were not run.",
-                     {{"number", std::to_string(suite.not_reached)}}) +
-                  "\n";
+        answer +=
+            "    " +
+            tr("The {number} cases after this one were not run.", {{"number", suite.not_reached}}) +
+            "\n";
     return {.question = "", .answers = answer};
 }
 
@@ -113,7 +97,7 @@ std::string others_text(const Findings& findings, const std::vector<CaseResult>&
     const Judgment& judgment = findings.judgment;
     const int others = judgment.cases() - judgment.passed() - 1;
     if (others <= 0 || !judgment.in_double.written() || !judgment.ended()) return "";
-    const Values values = {{"number", std::to_string(others)}, {"stage", std::to_string(stage)}};
+    const Values values = {{"number", others}, {"stage", stage}};
     std::string line = others == 1
                            ? tr("{number} more case fails: ./course check {stage} --all.", values)
                            : tr("{number} more cases fail: ./course check {stage} --all.", values);
@@ -135,9 +119,8 @@ std::string place_of(const std::string& function, const std::string& output) {
 /// all pass.
 std::size_t case_to_show(const Findings& findings, const std::vector<CaseResult>& cases) {
     const auto& unwritten = findings.judgment.in_double.unwritten;
-    const bool is_written = std::none_of(unwritten.begin(), unwritten.end(), [&](const auto& name) {
-        return names(findings.part, name);
-    });
+    const bool is_written = std::ranges::none_of(
+        unwritten, [&](const auto& name) { return names(findings.part, name); });
     return is_written ? most_telling(cases, findings.part, findings.diagnosis.names, findings.known)
                       : first_failing(cases, findings.part);
 }
@@ -154,13 +137,12 @@ Findings findings_of(int stage, Judgment judgment, Diagnosis diagnosis) {
 }
 
 void show_verdict(int stage, const Judgment& judgment) {
-    const Values counts = {{"passed", std::to_string(judgment.passed())},
-                           {"cases", std::to_string(judgment.cases())}};
+    const Values counts = {{"passed", judgment.passed()}, {"cases", judgment.cases()}};
     const std::string passed =
         judgment.in_float ? tr("{passed} of {cases} cases pass, in float and double", counts)
                           : tr("{passed} of {cases} cases pass, in double", counts);
-    std::printf("%s: %s\n", styled(name_of(stage), Style::bold).c_str(),
-                styled(passed, judgment.right() ? Style::good : Style::bad).c_str());
+    print_line(styled(name_of(stage), Style::bold) + ": " +
+               styled(passed, judgment.right() ? Style::good : Style::bad));
     std::fflush(stdout);
 }
 
@@ -170,15 +152,16 @@ int show_diagnosis(int stage, const Findings& findings, bool complete) {
     for (const std::string& sentence : findings.diagnosis.sentences)
         text += prose(tr_text(sentence), Style::bold);
     if (complete && !findings.diagnosis.names.empty())
-        text += prose(tr("mistake: {names}", {{"names", listed(findings.diagnosis.names)}}));
+        text += prose(tr("mistake: {names}", {{"names", joined(findings.diagnosis.names)}}));
     const auto& unwritten = judgment.in_double.unwritten;
     if (!unwritten.empty())
-        text += prose(tr("Not written yet: {functions}.", {{"functions", listed(unwritten)}}));
+        text += prose(tr("Not written yet: {functions}.", {{"functions", joined(unwritten)}}));
     text += prints_text(judgment.in_double.suite.output, complete);
-    std::fputs(text.c_str(), stdout);
+    print(text);
     if (complete)
         show_cases(judgment.outcomes,
-                   unwritten.empty() ? std::set<std::string>() : passed_by_starter(stage));
+                   unwritten.empty() ? std::set<std::string>()
+                                     : passed_by_starter(project_folder / step_path(stage, "")));
     std::fflush(stdout);
     return int(lines_of(text).size());
 }
@@ -203,50 +186,41 @@ void show_failure(int stage, const Findings& findings, bool complete, int other_
             terminal_rows() - other_rows - int(lines_of("\n" + title + "\n" + others).size());
         if (int(failure.rows() + lines_of(smallest).size()) > left) smallest.clear();
         const int of_question = left - int(lines_of(failure.answers).size());
-        failure.question = fitted(failure.question, std::size_t(std::max(of_question, 0)),
-                                  "      … " + tr("whole: ./course check {stage} --all",
-                                                  {{"stage", std::to_string(stage)}}));
+        failure.question =
+            fitted(failure.question, std::size_t(std::max(of_question, 0)),
+                   "      … " + tr("whole: ./course check {stage} --all", {{"stage", stage}}));
     }
-    std::fputs(("\n" + styled(title, Style::bad) + "\n" + failure.question + failure.answers +
-                smallest + others)
-                   .c_str(),
-               stdout);
+    print("\n" + styled(title, Style::bad) + "\n" + failure.question + failure.answers + smallest +
+          others);
     std::fflush(stdout);
 }
 
 void show_next_step(const Workbook& workbook, const Findings& findings, bool draws) {
     const int stage = workbook.stage();
-    const std::string number = std::to_string(stage);
     const Judged& judged = findings.judgment.in_double;
     if (findings.judgment.right() && !draws) {
-        std::puts(tr("The cases pass, but not the picture: see above.").c_str());
+        print_line(tr("The cases pass, but not the picture: see above."));
     } else if (findings.judgment.right()) {
         if (const auto next = next_stage(stage))
-            std::puts(tr("Next: ./course {command} {stage}",
-                         {{"command", Workbook(*next).files().empty() ? "start" : "check"},
-                          {"stage", std::to_string(*next)}})
-                          .c_str());
+            print_line(tr("Next: ./course {command} {stage}",
+                          {{"command", Workbook(*next).files().empty() ? "start" : "check"},
+                           {"stage", *next}}));
     } else {
-        const auto unwritten =
-            std::find_if(judged.unwritten.begin(), judged.unwritten.end(),
-                         [&](const std::string& name) { return names(findings.part, name); });
-        const Values values = {{"stage", number}};
+        const auto unwritten = std::ranges::find_if(
+            judged.unwritten, [&](const std::string& name) { return names(findings.part, name); });
+        const Values values = {{"stage", stage}};
         const std::string line =
             findings.judgment.ended() ? "" : tr("The line: ./course debug {stage}.", values) + " ";
         const std::string help = line + tr("Stuck? ./course hint {stage}", values);
         if (unwritten != judged.unwritten.end())
-            std::printf(
-                "%s\n%s\n",
-                tr("Write next: {function}, in {place}",
-                   {{"function", *unwritten}, {"place", place_of(*unwritten, judged.suite.output)}})
-                    .c_str(),
-                help.c_str());
+            print_line(tr("Write next: {function}, in {place}",
+                          {{"function", *unwritten},
+                           {"place", place_of(*unwritten, judged.suite.output)}}) +
+                       "\n" + help);
         else if (findings.part.empty() || findings.part == "together")
-            std::fputs(prose(help).c_str(), stdout);
+            print(prose(help));
         else
-            std::fputs(prose(tr("Look at {part}.", {{"part", tr_text(findings.part)}}) + " " + help)
-                           .c_str(),
-                       stdout);
+            print(prose(tr("Look at {part}.", {{"part", tr_text(findings.part)}}) + " " + help));
     }
 }
 

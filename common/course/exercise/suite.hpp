@@ -2,8 +2,7 @@
 #pragma once
 
 #include "common/course/build/suite_report.hpp"
-
-#include <filesystem>
+#include "common/system/files.hpp"
 
 namespace rt {
 
@@ -18,7 +17,7 @@ struct SuiteResult {
 };
 
 /// The report that `run_suite` leaves.
-[[nodiscard]] std::filesystem::path report_of(const std::string& program);
+[[nodiscard]] fs::path report_of(const std::string& program);
 
 /// The results that are left of a program that run_suite has run; empty if there are none.
 [[nodiscard]] std::vector<CaseResult> last_results(const std::string& program);

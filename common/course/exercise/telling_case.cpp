@@ -1,7 +1,6 @@
 #include "common/course/exercise/telling_case.hpp"
 
 #include "common/course/exercise/hints.hpp"
-#include "common/system/files.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,20 +14,7 @@ namespace rt {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 using Known = std::map<std::string, KnownFailure>;
-
-std::vector<std::string> lines_in(const fs::path& file) {
-    if (!fs::exists(file)) return {};
-    return lines_of(read_text(file));
-}
-
-/// The rest of the line after the word, if the line starts with it.
-std::optional<std::string> after(const std::string& word, const std::string& line) {
-    if (!line.starts_with(word)) return std::nullopt;
-    return line.substr(word.size());
-}
 
 std::set<std::string> words_of(const std::string& text) {
     std::istringstream in(text);
@@ -109,13 +95,13 @@ std::set<std::string> failures_of(const CaseResult& result) {
 }
 
 bool share_any(const std::set<std::string>& a, const std::set<std::string>& b) {
-    return std::any_of(a.begin(), a.end(), [&](const auto& each) { return b.contains(each); });
+    return std::ranges::any_of(a, [&](const auto& each) { return b.contains(each); });
 }
 
 /// What two sets of failures share, 0 to 1: all or nothing counts most.
 double likeness(const std::set<std::string>& a, const std::set<std::string>& b) {
-    const auto shared = double(
-        std::count_if(a.begin(), a.end(), [&](const auto& each) { return b.contains(each); }));
+    const auto shared =
+        double(std::ranges::count_if(a, [&](const auto& each) { return b.contains(each); }));
     return std::pow(shared / (double(a.size()) + double(b.size()) - shared), 4);
 }
 
@@ -163,8 +149,7 @@ std::string part_to_mend(const std::vector<CaseResult>& cases, const KnownCases&
         const auto is_own = [&](const std::string& name) {
             return is_wrong(name) && names(each.part, name);
         };
-        if (std::any_of(called.begin(), called.end(), is_own) ||
-            std::none_of(called.begin(), called.end(), is_wrong))
+        if (std::ranges::any_of(called, is_own) || std::ranges::none_of(called, is_wrong))
             return each.part;
     }
     return first;
@@ -186,7 +171,7 @@ std::size_t most_telling(const std::vector<CaseResult>& cases, const std::string
         votes[each.caught_by] += likeness(failing, each.failures);
         for (const auto& [name, of_case] : failures)
             if (share_any(of_case, each.failures)) ++mistakes[name];
-        if (std::find(recognized.begin(), recognized.end(), each.mistake) != recognized.end())
+        if (std::ranges::find(recognized, each.mistake) != recognized.end())
             of_recognized.insert(each.caught_by);
     }
     // The least is the most telling.
@@ -203,9 +188,8 @@ std::size_t most_telling(const std::vector<CaseResult>& cases, const std::string
 }
 
 std::size_t first_failing(const std::vector<CaseResult>& cases, const std::string& part) {
-    const auto first = std::find_if(cases.begin(), cases.end(), [&](const CaseResult& each) {
-        return !each.passed && each.part == part;
-    });
+    const auto first = std::ranges::find_if(
+        cases, [&](const CaseResult& each) { return !each.passed && each.part == part; });
     return std::size_t(first - cases.begin());
 }
 
@@ -226,7 +210,7 @@ std::vector<std::string> parts_that_use(const std::string& part,
     std::vector<std::string> using_parts;
     for (const CaseResult& each : cases)
         if (!each.passed && each.part != part && using_it.contains(each.part) &&
-            std::find(using_parts.begin(), using_parts.end(), each.part) == using_parts.end())
+            std::ranges::find(using_parts, each.part) == using_parts.end())
             using_parts.push_back(each.part);
     return using_parts;
 }

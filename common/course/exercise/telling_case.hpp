@@ -2,8 +2,8 @@
 #pragma once
 
 #include "common/course/build/suite_report.hpp"
+#include "common/system/files.hpp"
 
-#include <filesystem>
 #include <map>
 #include <set>
 #include <string>
@@ -28,15 +28,14 @@ struct KnownCases {
 inline constexpr const char* mistakes_folder = "tests/mistakes";
 
 /// The folder with what a hand-out has of the catalogues in this one.
-[[nodiscard]] std::filesystem::path in_handout(const std::filesystem::path& mistakes);
+[[nodiscard]] fs::path in_handout(const fs::path& mistakes);
 
 /// The lines of a catalogue that name a mistake and the case that catches it.
 [[nodiscard]] std::string authors_cases(const std::string& catalogue);
 
 /// Reads probes.txt and trace.txt in the folder <mistakes>/<stage>, and the catalogues <stage>.txt
 /// and <stage>_trace.txt beside it, or in_handout. Empty without these files.
-[[nodiscard]] KnownCases known_cases(const std::filesystem::path& mistakes,
-                                     const std::string& stage);
+[[nodiscard]] KnownCases known_cases(const fs::path& mistakes, const std::string& stage);
 
 /// The part to look at first: the first with a failing case that no wrong function of another part
 /// explains. A function is wrong if a failing case calls no other one. Empty if no case fails.

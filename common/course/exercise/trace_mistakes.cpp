@@ -1,7 +1,5 @@
 #include "common/course/exercise/trace_mistakes.hpp"
 
-#include "common/system/files.hpp"
-
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -44,7 +42,7 @@ std::vector<KnownTrace> known_in(const std::string& text) {
 
 /// The number of questions that both fail, with the same wrong answer.
 std::size_t in_common(const Failures& a, const Failures& b) {
-    return std::size_t(std::count_if(a.begin(), a.end(), [&](const auto& failure) {
+    return std::size_t(std::ranges::count_if(a, [&](const auto& failure) {
         const auto found = b.find(failure.first);
         return found != b.end() && found->second == failure.second;
     }));
@@ -96,8 +94,8 @@ bool explain_together(const KnownTrace& a, const KnownTrace& b, const Failures& 
         const auto found = known.failures.find(failure.first);
         return found != known.failures.end() && found->second == failure.second;
     };
-    return std::all_of(
-               failures.begin(), failures.end(),
+    return std::ranges::all_of(
+               failures,
                [&](const auto& each) {
                    return is_of(a, each) || is_of(b, each) ||
                           (a.failures.contains(each.first) && b.failures.contains(each.first));
@@ -123,13 +121,13 @@ std::vector<TraceMistake> the_two(const std::vector<KnownTrace>& known, const Fa
 
 }  // namespace
 
-std::vector<TraceMistake> recognized_trace_mistakes(const std::filesystem::path& file,
+std::vector<TraceMistake> recognized_trace_mistakes(const fs::path& file,
                                                     const std::vector<CaseResult>& cases) {
     Failures failures;
     for (const CaseResult& each : cases)
         if (!each.passed && !each.name.starts_with("the picture"))
             add_failures(each.failures, failures);
-    if (failures.empty() || !std::filesystem::exists(file)) return {};
+    if (failures.empty() || !fs::exists(file)) return {};
     const std::vector<KnownTrace> known = known_in(read_text(file));
     const std::optional<TraceMistake> one = the_one(known, failures);
     if (one && one->is_certain) return {*one};

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "common/course/build/suite_report.hpp"
+#include "common/system/files.hpp"
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -21,6 +21,6 @@ struct TraceMistake {
 /// in double; the file is tests/mistakes/<stage>/trace.txt. The case of a whole picture does not
 /// count.
 [[nodiscard]] std::vector<TraceMistake> recognized_trace_mistakes(
-    const std::filesystem::path& file, const std::vector<CaseResult>& cases);
+    const fs::path& file, const std::vector<CaseResult>& cases);
 
 }  // namespace rt

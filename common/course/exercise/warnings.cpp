@@ -5,6 +5,7 @@
 #include "common/course/build/static_data.hpp"
 #include "common/course/build/student_objects.hpp"
 #include "common/course/exercise/may_include.hpp"
+#include "common/system/files.hpp"
 #include "common/system/translation.hpp"
 #include "common/system/wrap.hpp"
 
@@ -24,7 +25,7 @@ std::string warning(const std::string& place, const std::string& words) {
 std::string refused_includes_of(const Workbook& workbook) {
     const int stage = workbook.stage();
     std::string text;
-    for (const std::filesystem::path& file : workbook.files())
+    for (const fs::path& file : workbook.files())
         for (const Include& each :
              refused_includes(project_folder, {stage, file.filename() == trace_file}, file))
             text += warning(
@@ -47,7 +48,7 @@ std::string ungraded_files_of(const Workbook& workbook) {
             step_path(stage, "student/" + graded),
             tr("it is missing, so that the reference's functions were judged; graded without it, "
                "they get no points"));
-    for (const std::filesystem::path& file : workbook.files())
+    for (const fs::path& file : workbook.files())
         if (file.filename() != graded && file.filename() != trace_file)
             text += warning(step_path(stage, "student/" + file.filename().string()),
                             tr("only {file} is graded: move what it needs of this file into it",

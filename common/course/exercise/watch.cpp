@@ -44,26 +44,23 @@ private:
     /// Prints on a screen of its own, and below it the keys.
     void show(const std::function<void()>& content) {
         if (output_on_terminal() && terminal_is_capable())
-            std::fputs("\033[H\033[2J\033[3J", stdout);
+            print("\033[H\033[2J\033[3J");
         else
-            std::puts("");
+            print_line("");
         std::fflush(stdout);
         try {
             content();
         } catch (const InputError& error) {
-            std::puts(tr_text(error.what()).c_str());
+            print_line(tr_text(error.what()));
         } catch (const ProgramError& error) {
-            std::fputs(error.what(), stdout);
+            print(error.what());
         }
         if (keys_.are_read())
-            std::printf("\n%s\n",
-                        tr("{stage}: r check again, h hint, n next stage, l stages, q quit",
-                           {{"stage", std::to_string(stage_)}})
-                            .c_str());
+            print_line("\n" + tr("{stage}: r check again, h hint, n next stage, l stages, q quit",
+                                 {{"stage", stage_}}));
         else
-            std::printf("\n%s\n", tr("waiting for a change of {folder}; Ctrl-C ends",
-                                     {{"folder", step_path(stage_, "student")}})
-                                      .c_str());
+            print_line("\n" + tr("waiting for a change of {folder}; Ctrl-C ends",
+                                 {{"folder", step_path(stage_, "student")}}));
         finish_output();
     }
 

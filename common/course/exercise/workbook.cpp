@@ -1,7 +1,6 @@
 #include "common/course/exercise/workbook.hpp"
 
 #include "common/course/build/project.hpp"
-#include "common/system/files.hpp"
 #include "common/system/hash.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/translation.hpp"
@@ -12,8 +11,6 @@
 #include <sstream>
 
 namespace rt {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -101,8 +98,7 @@ std::string Workbook::verdict() const {
     if (record_.checked.empty()) return tr("not checked yet");
     if (state() != State::done && record_.passed == record_.cases)
         return tr("changed since it passed");
-    const Values values = {{"passed", std::to_string(record_.passed)},
-                           {"cases", std::to_string(record_.cases)}};
+    const Values values = {{"passed", record_.passed}, {"cases", record_.cases}};
     const bool is_changed = record_.checked_files != fingerprint();
     return is_changed ? tr("changed since {passed} of {cases} cases passed", values)
                       : tr("{passed} of {cases} cases pass", values);
@@ -111,7 +107,7 @@ std::string Workbook::verdict() const {
 std::string Workbook::summary() const {
     if (record_.hints == 0) return verdict();
     if (record_.hints == 1) return verdict() + ", " + tr("1 hint");
-    return verdict() + ", " + tr("{number} hints", {{"number", std::to_string(record_.hints)}});
+    return verdict() + ", " + tr("{number} hints", {{"number", record_.hints}});
 }
 
 std::string Workbook::fingerprint() const {
@@ -133,10 +129,9 @@ void Workbook::remember(const Record& record) {
 
 void Workbook::start() {
     if (!files().empty())
-        throw InputError(
-            {}, tr("{folder} exists already: ./course reset {number} keeps it and "
-                   "copies the starter again",
-                   {{"folder", step_path(stage_, "student")}, {"number", std::to_string(stage_)}}));
+        throw InputError({}, tr("{folder} exists already: ./course reset {number} keeps it and "
+                                "copies the starter again",
+                                {{"folder", step_path(stage_, "student")}, {"number", stage_}}));
     std::error_code there;
     fs::create_directories(folder_, there);
     const TemporaryFolder workshop(folder_.parent_path());
@@ -146,8 +141,7 @@ void Workbook::start() {
 
 std::string Workbook::reset() {
     if (files().empty())
-        throw InputError({}, tr("nothing to reset: ./course start {number}",
-                                {{"number", std::to_string(stage_)}}));
+        throw InputError({}, tr("nothing to reset: ./course start {number}", {{"number", stage_}}));
     const TemporaryFolder workshop(folder_.parent_path());
     const fs::path fresh = fresh_start(workshop.path());
     int number = 1;
@@ -174,7 +168,7 @@ fs::path Workbook::fresh_start(const fs::path& workshop) const {
 InputError not_started(int stage) {
     return {{},
             tr("{stage} is not started: ./course start {number}",
-               {{"stage", name_of(stage)}, {"number", std::to_string(stage)}})};
+               {{"stage", name_of(stage)}, {"number", stage}})};
 }
 
 int current_stage() {

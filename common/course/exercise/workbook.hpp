@@ -1,9 +1,9 @@
 // The student's files and progress: steps/stepNN_name/student/.
 #pragma once
 
+#include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,7 +32,7 @@ public:
     explicit Workbook(int stage);
 
     [[nodiscard]] int stage() const { return stage_; }
-    [[nodiscard]] std::vector<std::filesystem::path> files() const;
+    [[nodiscard]] std::vector<fs::path> files() const;
     [[nodiscard]] State state() const;
     /// True if trace_file is among the files.
     [[nodiscard]] bool has_trace() const;
@@ -57,10 +57,10 @@ public:
 
 private:
     /// A complete copy of the starter in the workshop, made before anything else is touched.
-    [[nodiscard]] std::filesystem::path fresh_start(const std::filesystem::path& workshop) const;
+    [[nodiscard]] fs::path fresh_start(const fs::path& workshop) const;
 
     int stage_;
-    std::filesystem::path folder_;
+    fs::path folder_;
     Record record_;
 };
 

@@ -9,10 +9,8 @@
 #include "common/course/grade/results/term.hpp"
 #include "common/course/grade/sandbox/layers.hpp"
 #include "common/course/grade/sandbox/seal.hpp"
-
 #include "common/stages/stages.hpp"
 #include "common/system/escaping.hpp"
-#include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/parallel_for.hpp"
 #include "common/system/terminal.hpp"
@@ -28,13 +26,10 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 
 namespace rt::grade {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 std::atomic<bool> stop = false;
 
@@ -49,7 +44,7 @@ void check_seal() {
 
 /// Prints a line that may contain names by students.
 void say(const std::string& line) {
-    std::fprintf(stderr, "%s\n", tr_line(one_line(line)).c_str());
+    print_error(tr_line(one_line(line)));
 }
 
 /// The folder of the results. A new one is removed if it is still empty at the end, as after an
@@ -103,40 +98,25 @@ private:
     int descriptor_;
 };
 
-/// Accessible to the lecturer only, and to root's builders, who are unprivileged users. Its name
-/// contains the results' name, so that the next run removes the folder of a killed run, and random
-/// letters.
-fs::path workshop_folder(const Order& order) {
+/// What the name of the workshop's folder begins with: the results' name is in it, so that the next
+/// run removes the folder of a killed run.
+std::string workshop_start(const Order& order) {
     const std::size_t whose = fs::hash_value(fs::absolute(order.results).lexically_normal());
-    const std::string start =
-        "raysteps-grading-" + std::to_string(whose) + "-" + std::to_string(order.part) + ".";
-    const fs::path place = fs::absolute(temporary_place());  // tools start in folders of their own
-    check_executable(place);
+    return "raysteps-grading-" + std::to_string(whose) + "-" + std::to_string(order.part) + ".";
+}
+
+void remove_old_workshops(const fs::path& place, const std::string& start) {
     std::error_code none;
     for (const auto& each : fs::directory_iterator(place, none))
-        if (each.path().filename().string().rfind(start, 0) == 0) fs::remove_all(each.path(), none);
-    const fs::path folder = make_folder(place, start);
+        if (each.path().filename().string().starts_with(start)) fs::remove_all(each.path(), none);
+}
+
+/// The lecturer's folder is accessible to root's builders, too, who are unprivileged users.
+void let_builders_enter(const fs::path& folder) {
     if (geteuid() == 0 && (lchown(folder.c_str(), 0, builders_group) != 0 ||
                            chmod(folder.c_str(), S_IRWXU | S_IXGRP) != 0))
         throw InputError({folder}, "cannot be made accessible to compilers");
-    return folder;
 }
-
-class Workplace {
-public:
-    explicit Workplace(const Order& order) : folder_(workshop_folder(order)) {}
-    ~Workplace() {
-        std::error_code none;
-        fs::remove_all(folder_, none);
-    }
-    Workplace(const Workplace&) = delete;
-    Workplace& operator=(const Workplace&) = delete;
-
-    [[nodiscard]] const fs::path& folder() const { return folder_; }
-
-private:
-    fs::path folder_;
-};
 
 std::set<int> stages_of(const Order& order) {
     std::set<int> stages;
@@ -212,7 +192,7 @@ void check_replaced(const ClassFolder& found, const Order& order) {
     for (const auto& [place, students] : found.classes) {
         std::string replaced;
         for (const std::string& student : students)
-            if (std::binary_search(graded.begin(), graded.end(), student) &&
+            if (std::ranges::binary_search(graded, student) &&
                 !is_graded_at(order.results, place, student))
                 replaced += (replaced.empty() ? "" : ", ") + student;
         if (!replaced.empty())
@@ -340,11 +320,15 @@ Outcome grade(const Order& order) {
     static_cast<void>(language_folder(read_term(order.results, {}), order.project));
     const ResultsFolder results(order.results);
     const Lock lock(order.results, order.part);
-    const Workplace workplace(order);
+    const fs::path place = fs::absolute(temporary_place());  // tools start in folders of their own
+    check_executable(place);
+    remove_old_workshops(place, workshop_start(order));
+    const TemporaryFolder workplace(place, workshop_start(order));
+    let_builders_enter(workplace.path());
     const std::uintmax_t size_before = size_of_changes(order.results);
     Outcome outcome = Outcome::interrupted;
     try {
-        outcome = grade(order, workplace.folder());
+        outcome = grade(order, workplace.path());
     } catch (const Interrupted&) {
         // as it says
     }

@@ -1,7 +1,8 @@
 // The grading of a class.
 #pragma once
 
-#include <filesystem>
+#include "common/system/files.hpp"
+
 #include <optional>
 #include <set>
 #include <vector>
@@ -10,13 +11,12 @@ namespace rt::grade {
 
 /// The options of the command line.
 struct Order {
-    std::filesystem::path project;
-    std::filesystem::path build;
-    std::vector<std::filesystem::path> places;  ///< submissions, or folders of submissions
-    std::filesystem::path results;
-    std::optional<std::filesystem::path>
-        seed_file;         ///< if empty, the seed of the previous run, or a new one
-    std::set<int> stages;  ///< all built stages if empty
+    fs::path project;
+    fs::path build;
+    std::vector<fs::path> places;  ///< submissions, or folders of submissions
+    fs::path results;
+    std::optional<fs::path> seed_file;  ///< if empty, the seed of the previous run, or a new one
+    std::set<int> stages;               ///< all built stages if empty
     int jobs = 1;
     int part = 1;  ///< this process is one of `parts` that grade the class together, in one folder
                    ///< of results
@@ -39,11 +39,26 @@ enum class Outcome {
 [[nodiscard]] Outcome grade(const Order& order);
 
 /// Reads the translations of what is printed, into the language of the terminal.
-void read_terminal_language(const std::filesystem::path& project);
+void read_terminal_language(const fs::path& project);
 
 /// Writes the reports of all existing marks, in the language of the class, and Gradescope's file if
 /// it has a name. Throws InputError.
-void write_reports(const std::filesystem::path& results, const std::filesystem::path& project,
-                   const std::filesystem::path& gradescope = {});
+void write_reports(const fs::path& results, const fs::path& project,
+                   const fs::path& gradescope = {});
+
+// `./course grade --for …`: files that run the grading on another machine.
+
+/// Writes the place's files into the folder:
+///
+/// gradescope   autograder.zip, to be uploaded: the project, setup.sh and run_autograder
+/// github       grade.yml, a workflow for .github/workflows of a private clone of the project
+/// slurm        submit.sh CLASS OUT, an array of jobs and then the reports; and in_parallel.sh,
+///              the same for GNU parallel
+///
+/// On Gradescope only `stages` are graded; all of them if it is empty. Throws InputError if the
+/// place is unknown, a file exists with other content (autograder.zip: if it exists), or one cannot
+/// be written; ProgramError if the project cannot be packed.
+void write_for(const std::string& place, const fs::path& folder, const fs::path& project,
+               const std::set<int>& stages);
 
 }  // namespace rt::grade

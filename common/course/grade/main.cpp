@@ -1,8 +1,6 @@
 // `./course grade`: the grader's program.
-#include "common/course/grade/deploy.hpp"
 #include "common/course/grade/grade.hpp"
 #include "common/course/grade/reports/reports.hpp"
-
 #include "common/stages/stages.hpp"
 #include "common/system/escaping.hpp"
 #include "common/system/input_error.hpp"

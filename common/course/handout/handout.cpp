@@ -7,7 +7,6 @@
 #include "common/course/exercise/telling_case.hpp"
 #include "common/course/handout/selection.hpp"
 #include "common/system/escaping.hpp"
-#include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
 #include "common/system/terminal.hpp"
@@ -20,7 +19,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <ctime>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -28,8 +26,6 @@
 #include <version>
 
 namespace rt {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -75,8 +71,7 @@ std::vector<std::string> look_around() {
          {".devcontainer", ".vscode", "common", "docs", "lang", "scenes", "steps", "tests"})
         for (const std::string& path : all_files(project_folder / folder))
             paths.push_back((folder + "/").append(path));
-    const auto not_theirs = [](const std::string& path) { return !is_for_students(path); };
-    paths.erase(std::remove_if(paths.begin(), paths.end(), not_theirs), paths.end());
+    std::erase_if(paths, [](const std::string& path) { return !is_for_students(path); });
     return paths;
 }
 
@@ -84,8 +79,7 @@ std::vector<std::string> files_for_students() {
     const std::vector<std::string> known = ask_git("");
     if (known.empty()) return look_around();
     for (const std::string& path : ask_git("--others --exclude-standard"))
-        std::fprintf(stderr, "%s\n",
-                     tr("warning: {file} is not in git, and left out", {{"file", path}}).c_str());
+        print_error(tr("warning: {file} is not in git, and left out", {{"file", path}}));
     return known;
 }
 
@@ -127,16 +121,16 @@ std::string macro_of(const std::string& processor) {
 
 /// "x86_64 or aarch64"
 std::string processors_of(const std::vector<Machine>& machines) {
-    std::string names;
-    for (const Machine& machine : machines)
-        names += (names.empty() ? "" : " or ") + machine.processor;
-    return names;
+    return joined(machines, &Machine::processor, " or ");
+}
+
+int newest_library(const std::vector<Machine>& machines) {
+    return std::ranges::max(machines, {}, &Machine::library).library;
 }
 
 /// The machines for which a hand-out is, in English.
 std::string kind_of(const std::vector<Machine>& machines) {
-    int library = 0;
-    for (const Machine& machine : machines) library = std::max(library, machine.library);
+    const int library = newest_library(machines);
     const std::string compiler =
         library == 0 ? "clang++ with libc++"
                      : "g++ " + std::to_string(library) + " or newer, or clang++ with its library";
@@ -152,15 +146,10 @@ std::string fits(const std::vector<Machine>& machines) {
 #else
     text += "#ifndef __linux__\n#error another system\n#endif\n";
 #endif
-    text += "#if !(";
-    for (const Machine& machine : machines)
-        text += (&machine == machines.data() ? "defined " : " || defined ") +
-                macro_of(machine.processor);
-    text += ")\n#error another processor\n#endif\n";
-    int library = 0;
-    for (const Machine& machine : machines) library = std::max(library, machine.library);
+    const auto is_for = [](const Machine& of) { return "defined " + macro_of(of.processor); };
+    text += "#if !(" + joined(machines, is_for, " || ") + ")\n#error another processor\n#endif\n";
 #ifdef _GLIBCXX_USE_CXX11_ABI
-    text += "static_assert(_GLIBCXX_RELEASE >= " + std::to_string(library) +
+    text += "static_assert(_GLIBCXX_RELEASE >= " + std::to_string(newest_library(machines)) +
             " && _GLIBCXX_USE_CXX11_ABI == " + std::to_string(_GLIBCXX_USE_CXX11_ABI) + ");\n";
 #else
     text += "static_assert(_LIBCPP_VERSION > 0);\n";
@@ -192,17 +181,10 @@ Machine other_machine(const std::string& processor) {
         {}, "handout: --also " + processor + " needs " + compiler + ": apt-get install " + package);
 }
 
-std::string today() {
-    const std::time_t time = std::time(nullptr);
-    char text[] = "2026-11-21";
-    std::strftime(text, sizeof text, "%Y-%m-%d", std::localtime(&time));
-    return text;
-}
-
 /// The pages of the hand-out as a site, if that of the clone was built once.
 void add_book(const fs::path& folder) {
     if (!fs::exists(project_folder / site_of_clone)) {
-        std::fprintf(stderr, "%s\n", tr("without the book: ./course book builds it").c_str());
+        print_error(tr("without the book: ./course book builds it"));
         return;
     }
     const fs::path site = folder / "book";  // mkdocs does not write it into docs/
@@ -345,14 +327,12 @@ int hand_out(const fs::path& destination, const std::vector<std::string>& also,
     if (packed) pack(workshop.path() / name, workshop.path() / target.filename());
     refuse_what_is_there(destination, target);  // the destination may have been created meanwhile
     fs::rename(workshop.path() / (packed ? target.filename() : fs::path(name)), target);
-    std::puts(tr("{folder}: {number} files, without solutions\nfor {machines}",
-                 {{"folder", destination.string()},
-                  {"number", std::to_string(files)},
-                  {"machines", tr_text(kind_of(machines))}})
-                  .c_str());
-    std::puts(tr("To update an older hand-out: ./course update {name}",
-                 {{"name", shell_word(target.filename().string())}})
-                  .c_str());
+    print_line(tr("{folder}: {number} files, without solutions\nfor {machines}",
+                  {{"folder", destination.string()},
+                   {"number", files},
+                   {"machines", tr_text(kind_of(machines))}}));
+    print_line(tr("To update an older hand-out: ./course update {name}",
+                  {{"name", shell_word(target.filename().string())}}));
     return 0;
 }
 

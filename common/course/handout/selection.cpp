@@ -3,14 +3,12 @@
 #include "common/course/build/project.hpp"
 #include "common/course/exercise/hints.hpp"
 #include "common/stages/stages.hpp"
-#include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
 #include "common/system/translation.hpp"
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <regex>
 #include <sstream>
 #include <string_view>
@@ -57,9 +55,9 @@ void select_stages(Selection& selection, const std::string& stages) {
 
 void select_language(Selection& selection, const std::string& language) {
     std::string known;
-    for (const auto& folder : std::filesystem::directory_iterator(project_folder / "lang")) {
+    for (const auto& folder : fs::directory_iterator(project_folder / "lang")) {
         const std::string name = folder.path().filename().string();
-        if (!std::filesystem::exists(folder.path() / "book.po")) continue;
+        if (!fs::exists(folder.path() / "book.po")) continue;
         known += (known.empty() ? "" : ", ") + name;
         if (name == language) selection.language = language;
     }
@@ -147,15 +145,13 @@ constexpr const char* of_other_folders =
 
 bool is_for_students(const std::string& path) {
     if (path.find("/.") != std::string::npos) return false;
-    const std::string folder = std::filesystem::path(path).parent_path().string();
-    if (std::find(rooms.begin(), rooms.end(), folder) != rooms.end()) return path != solved;
+    const std::string folder = fs::path(path).parent_path().string();
+    if (std::ranges::find(rooms, folder) != rooms.end()) return path != solved;
     static const std::regex others(of_other_folders);
     return std::regex_match(path, others);
 }
 
 namespace {
-
-namespace fs = std::filesystem;
 
 /// True for the path of a missing file, with a folder. Anything else may be code: `[&](int i)`.
 bool leads_nowhere(const std::string& address, const fs::path& folder) {

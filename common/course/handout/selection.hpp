@@ -1,7 +1,8 @@
 // The files of a hand-out, and the parts that a lecturer leaves out of it.
 #pragma once
 
-#include <filesystem>
+#include "common/system/files.hpp"
+
 #include <set>
 #include <string>
 
@@ -38,7 +39,6 @@ void select_language(Selection& selection, const std::string& language);
 
 /// The page with the text alone in place of each Markdown link to a file that does not exist, as
 /// seen from the page's folder. Links to other hosts and into the page itself stay.
-[[nodiscard]] std::string with_live_links(const std::string& page,
-                                          const std::filesystem::path& folder);
+[[nodiscard]] std::string with_live_links(const std::string& page, const fs::path& folder);
 
 }  // namespace rt

@@ -1,11 +1,11 @@
-#include "common/course/handout/update.hpp"
+#include "common/course/handout/handout.hpp"
 
 #include "common/course/build/manifest.hpp"
 #include "common/course/build/project.hpp"
 #include "common/course/exercise/workbook.hpp"
-#include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
+#include "common/system/terminal.hpp"
 #include "common/system/translation.hpp"
 #include "common/system/whole_file.hpp"
 
@@ -14,8 +14,6 @@
 #include <set>
 
 namespace rt {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -82,16 +80,13 @@ public:
 
     void explain() const {
         if (changed_.empty())
-            std::puts(tr("nothing has changed: {title}", {{"title", tr_text(its_.title)}}).c_str());
+            print_line(tr("nothing has changed: {title}", {{"title", tr_text(its_.title)}}));
         else
-            std::puts(tr("{number} files of the hand-out have changed; your own files have not",
-                         {{"number", std::to_string(changed_.size())}})
-                          .c_str());
+            print_line(tr("{number} files of the hand-out have changed; your own files have not",
+                          {{"number", changed_.size()}}));
         for (int stage = 1; stage <= int(stage_names.size()); ++stage)
             if (Workbook(stage).state() != State::untouched && concerns(stage))
-                std::puts(tr("Check your file again: ./course check {stage}",
-                             {{"stage", std::to_string(stage)}})
-                              .c_str());
+                print_line(tr("Check your file again: ./course check {stage}", {{"stage", stage}}));
     }
 
 private:
@@ -137,8 +132,7 @@ private:
             kept = path + ".yours_" + std::to_string(number++);
         } while (is_there(project_folder / kept));
         fs::rename(project_folder / path, project_folder / kept);
-        std::printf("         %s\n",
-                    tr("your old file is kept in {file}", {{"file", kept}}).c_str());
+        print_line("         " + tr("your old file is kept in {file}", {{"file", kept}}));
     }
 
     void say(const std::string& what, const std::string& path) {
@@ -183,8 +177,7 @@ int update(const fs::path& newer) {
 
 void warn_of_half_update() {
     if (is_handout(project_folder) && read_manifest(project_folder).title == under_way)
-        std::fprintf(stderr, "%s\n",
-                     tr("warning: an update was interrupted: run ./course update again").c_str());
+        print_error(tr("warning: an update was interrupted: run ./course update again"));
 }
 
 }  // namespace rt

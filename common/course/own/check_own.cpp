@@ -1,23 +1,17 @@
-#include "common/course/own/check_own.hpp"
 
 #include "common/course/exercise/image_diff.hpp"
-#include "common/course/own/lay_out.hpp"
+#include "common/course/own/own.hpp"
 #include "common/image/png.hpp"
-#include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
-#include "common/system/paint.hpp"
 #include "common/system/process.hpp"
+#include "common/system/terminal.hpp"
 #include "common/system/translation.hpp"
 
 #include <cctype>
-#include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <optional>
 
 namespace rt {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -39,15 +33,15 @@ void run(const Command& program, const fs::path& picture, std::chrono::seconds l
     if (ending.out_of_time)
         throw InputError({}, tr("the program did not end within {seconds} s; --seconds sets "
                                 "another limit",
-                                {{"seconds", std::to_string(limit.count())}}));
+                                {{"seconds", limit.count()}}));
     if (!ending.crash.empty())
         throw InputError({},
                          tr("the program crashed: {signal}", {{"signal", tr_text(ending.crash)}}));
     const std::vector<std::string> printed = lines_of(ending.output);
     if (ending.status != 0)
-        throw InputError({}, tr("the program ended with status {status}",
-                                {{"status", std::to_string(ending.status)}}) +
-                                 (printed.empty() ? "" : ": " + printed.front()));
+        throw InputError({},
+                         tr("the program ended with status {status}", {{"status", ending.status}}) +
+                             (printed.empty() ? "" : ": " + printed.front()));
     if (!fs::is_regular_file(picture))
         throw InputError({},
                          tr("the program ended without a picture: it must write to the file that "
@@ -90,10 +84,10 @@ Judgment judge(const OwnCheck& check, const std::string& scene, const Image& ref
     return {.agrees = comparison.different <= int(reference.pixels.size()) / pixels_for_one,
             .sentence = tr("{number} of {all} pixels differ by more than {tolerated} levels; the "
                            "largest difference is {most}: {file}",
-                           {{"number", std::to_string(comparison.different)},
-                            {"all", std::to_string(reference.pixels.size())},
-                            {"tolerated", std::to_string(tolerated)},
-                            {"most", std::to_string(comparison.most)},
+                           {{"number", comparison.different},
+                            {"all", reference.pixels.size()},
+                            {"tolerated", tolerated},
+                            {"most", comparison.most},
                             {"file", shown}})};
 }
 
@@ -123,10 +117,10 @@ int check_own(const OwnCheck& check) {
     for (const std::string scene : scenes) {
         const Judgment judgment = judge(check, scene, reference_picture(check, scene));
         const std::string line = (judgment.agrees ? "✓ " : "✗ ") + scene + ": " + judgment.sentence;
-        std::puts(styled(line, judgment.agrees ? Style::good : Style::bad).c_str());
+        print_line(styled(line, judgment.agrees ? Style::good : Style::bad));
         all_agree = all_agree && judgment.agrees;
     }
-    if (all_agree) std::puts(tr("Your ray tracer draws what the reference draws.").c_str());
+    if (all_agree) print_line(tr("Your ray tracer draws what the reference draws."));
     return all_agree ? 0 : 1;
 }
 
@@ -138,9 +132,7 @@ constexpr std::size_t channels = 3;
 class PpmReader {
 public:
     PpmReader(const std::string& file, Resolution expected)
-        : name_(std::filesystem::path(file).filename().string()),
-          text_(read_text(file)),
-          expected_(expected) {}
+        : name_(fs::path(file).filename().string()), text_(read_text(file)), expected_(expected) {}
 
     [[nodiscard]] Image read() {
         const std::string kind = text_.substr(0, 2);
@@ -155,7 +147,7 @@ public:
                                       std::to_string(expected_.height)}}));
         const int most = header(to_translate("has no largest level after {kind}"));
         if (most != brightest)
-            fail(tr("has the largest level {level}, not 255", {{"level", std::to_string(most)}}));
+            fail(tr("has the largest level {level}, not 255", {{"level", most}}));
         ++at_;  // exactly one blank before the colors
         Image image(expected_);
         kind == "P6" ? read_bytes(image) : read_numbers(image);
@@ -187,7 +179,7 @@ private:
         const std::size_t there = text_.size() - std::min(at_, text_.size());
         if (there != wanted)
             fail(tr("has {number} bytes of colors, not {all}, three for each pixel",
-                    {{"number", std::to_string(there)}, {"all", std::to_string(wanted)}}));
+                    {{"number", there}, {"all", wanted}}));
         for (Rgb& pixel : image.pixels)
             for (std::uint8_t& level : pixel) level = byte(at_++);
     }
@@ -198,7 +190,7 @@ private:
                 const std::optional<int> value = number();
                 if (!value || *value > brightest)
                     fail(tr("has no {number} numbers from 0 to 255, three for each pixel",
-                            {{"number", std::to_string(channels * image.pixels.size())}}));
+                            {{"number", channels * image.pixels.size()}}));
                 level = static_cast<std::uint8_t>(*value);
             }
     }

@@ -1,10 +1,10 @@
-#include "common/course/own/lay_out.hpp"
+#include "common/course/own/own.hpp"
 
 #include "common/course/exercise/may_include.hpp"
 #include "common/stages/stages.hpp"
 #include "common/system/escaping.hpp"
-#include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/terminal.hpp"
 #include "common/system/translation.hpp"
 
 #include <algorithm>
@@ -14,8 +14,6 @@
 #include <vector>
 
 namespace rt {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -78,7 +76,7 @@ std::optional<fs::path> included_file(const fs::path& project, const fs::path& f
 }
 
 void warn(const std::string& place, const std::string& what) {
-    std::fputs((place + tr("warning: {what}", {{"what", what}}) + "\n").c_str(), stderr);
+    print_error(place + tr("warning: {what}", {{"what", what}}));
 }
 
 /// The contents of the new folder, without those that are the same for everybody.
@@ -165,23 +163,17 @@ int lay_out_own(const fs::path& project, const fs::path& destination) {
     refuse_what_is_there(destination, target);  // the destination may have been created meanwhile
     fs::rename(folder, target);
 
-    const Values values = {{"folder", destination.string()},
-                           {"number", std::to_string(layout.stages().size())}};
-    std::puts(
-        (layout.stages().size() == 1
-             ? tr("{folder}: your files of one stage, and the headers that they include", values)
-             : tr("{folder}: your files of {number} stages, and the headers that they "
-                  "include",
-                  values))
-            .c_str());
-    std::string left_out;
-    for (const int stage : layout.left_out())
-        left_out += (left_out.empty() ? "" : ", ") + name_of(stage);
-    if (!left_out.empty())
-        std::puts(tr("left out, as not started: {stages}", {{"stages", left_out}}).c_str());
-    std::printf("%s\n%s\n",
-                tr("build: {command}", {{"command", own_build_command(destination)}}).c_str(),
-                tr("read:  docs/your_own.md").c_str());
+    const Values values = {{"folder", destination.string()}, {"number", layout.stages().size()}};
+    print_line(
+        layout.stages().size() == 1
+            ? tr("{folder}: your files of one stage, and the headers that they include", values)
+            : tr("{folder}: your files of {number} stages, and the headers that they include",
+                 values));
+    const auto name = [](int stage) { return name_of(stage); };
+    if (const std::string left_out = joined(layout.left_out(), name); !left_out.empty())
+        print_line(tr("left out, as not started: {stages}", {{"stages", left_out}}));
+    print_line(tr("build: {command}", {{"command", own_build_command(destination)}}));
+    print_line(tr("read:  docs/your_own.md"));
     return 0;
 }
 

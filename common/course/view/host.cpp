@@ -1,7 +1,9 @@
-#include "common/course/view/host.hpp"
+#include "common/course/view/server.hpp"
 
 #include "common/system/descriptors.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/terminal.hpp"
+#include "common/system/text.hpp"
 #include "common/system/translation.hpp"
 
 #include <fcntl.h>
@@ -21,11 +23,7 @@ namespace {
 std::string make_token() {
     std::random_device random;
     std::string token;
-    for (int i = 0; i < 4; ++i) {
-        std::array<char, 9> digits{};
-        std::snprintf(digits.data(), digits.size(), "%08x", random());
-        token += digits.data();
-    }
+    for (int i = 0; i < 4; ++i) token += formatted("%08x", random());
     return token;
 }
 
@@ -69,8 +67,8 @@ void Host::serve(const std::string& first_page, const Server::Answer& answer,
         rest.path.erase(0, start.size());
         return answer(rest);
     });
-    std::printf("http://127.0.0.1:%d%s%s\n%s\n", server_.port(), start.c_str(), first_page.c_str(),
-                tr("Only this machine can open the page. Ctrl-C ends it.").c_str());
+    print_line("http://127.0.0.1:" + std::to_string(server_.port()) + start + first_page);
+    print_line(tr("Only this machine can open the page. Ctrl-C ends it."));
     std::fflush(stdout);
     wait_for_signal(heard_);
     stop();

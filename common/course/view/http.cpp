@@ -2,13 +2,11 @@
 
 #include "common/system/escaping.hpp"
 #include "common/system/parse_floating.hpp"
+#include "common/system/text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
-#include <cmath>
-#include <cstdio>
 
 namespace rt {
 
@@ -27,13 +25,6 @@ bool is_host(std::string_view name) {
     return std::equal(name.begin(), name.end(), host.begin(), host.end(), [](char a, char b) {
         return std::tolower(static_cast<unsigned char>(a)) == b;
     });
-}
-
-std::string_view without_blanks(std::string_view text) {
-    constexpr std::string_view blanks = " \t";
-    const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
-    const std::size_t last = text.find_last_not_of(blanks);
-    return text.substr(first, last == std::string_view::npos ? 0 : last + 1 - first);
 }
 
 std::from_chars_result parse_start(const std::string& text, double& value) {
@@ -61,7 +52,7 @@ Number parse(const Request& request, const std::string& name, Number min, Number
 }  // namespace
 
 Request parse_request(std::string_view head) {
-    const bool is_text = std::none_of(head.begin(), head.end(), [](char c) {
+    const bool is_text = std::ranges::none_of(head, [](char c) {
         return (0 <= c && c < ' ' && c != '\r' && c != '\n' && c != '\t') || c == '\x7f';
     });
     if (!is_text) throw Refusal{400, "malformed request"};
@@ -81,7 +72,7 @@ Request parse_request(std::string_view head) {
     while (!head.empty()) {
         std::string_view value = take(head, "\r\n");
         if (!is_host(take(value, ":"))) continue;
-        request.host = without_blanks(value);
+        request.host = trimmed(value);
         ++hosts;
     }
     if (hosts != 1) throw Refusal{400, "exactly one Host header is required"};
@@ -115,10 +106,8 @@ std::string to_bytes(const Response& response) {
 std::string json(std::string_view text) {
     std::string quoted = "\"";
     for (const char c : text) {
-        std::array<char, 8> code{};
-        std::snprintf(code.data(), code.size(), "\\u%04x", unsigned(static_cast<unsigned char>(c)));
         const bool plain = (c < 0 || c >= ' ') && c != '"' && c != '\\' && c != '\x7f';
-        quoted += plain ? std::string(1, c) : std::string(code.data());
+        quoted += plain ? std::string(1, c) : formatted("\\u%04x", int(c));
     }
     return quoted + "\"";
 }

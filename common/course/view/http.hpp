@@ -43,7 +43,6 @@ struct Refusal {
 /// The same for a whole number.
 [[nodiscard]] int whole_number(const Request& request, const std::string& name, int min, int max);
 
-/// The bytes of the response.
 [[nodiscard]] std::string to_bytes(const Response& response);
 
 /// The text as a JSON string, with its quotes.

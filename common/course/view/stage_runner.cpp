@@ -1,12 +1,9 @@
 #include "common/course/view/stage_runner.hpp"
 
-#include "common/course/exercise/failure_text.hpp"
-#include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/translation.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
@@ -14,8 +11,6 @@
 #include <numbers>
 
 namespace rt {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -29,13 +24,10 @@ bool is_camera(const std::string& line) {
 
 /// In the format of scenes, without an exponent.
 std::string text(const TurnedCamera& camera) {
-    std::array<char, 256> line{};
-    std::snprintf(line.data(), line.size(), "C %.6f,%.6f,%.6f %.9f,%.9f,%.9f %.6f", camera.x,
-                  camera.y, camera.z,
-                  std::sin(camera.yaw * degree) * std::cos(camera.pitch * degree),
-                  std::sin(camera.pitch * degree),
-                  -std::cos(camera.yaw * degree) * std::cos(camera.pitch * degree), camera.fov);
-    return line.data();
+    return formatted("C %.6f,%.6f,%.6f %.9f,%.9f,%.9f %.6f", camera.x, camera.y, camera.z,
+                     std::sin(camera.yaw * degree) * std::cos(camera.pitch * degree),
+                     std::sin(camera.pitch * degree),
+                     -std::cos(camera.yaw * degree) * std::cos(camera.pitch * degree), camera.fov);
 }
 
 std::optional<TurnedCamera> parse_camera(const std::string& line) {
@@ -115,7 +107,7 @@ ProcessResult StageRunner::run(const RenderRequest& picture_request, Whose whose
     ProcessResult ending = run_captured(command, settings_.render_limit, &cancelled, most_output);
     if (ending.out_of_time)
         ending.output += tr("ended after {seconds} s: does a loop never end?",
-                            {{"seconds", std::to_string(settings_.render_limit.count())}}) +
+                            {{"seconds", settings_.render_limit.count()}}) +
                          "\n";
     else if (!ending.crash.empty())
         ending.output += tr("it crashed: {signal}", {{"signal", tr_text(ending.crash)}}) + "\n";

@@ -8,7 +8,6 @@
 
 #include <atomic>
 #include <condition_variable>
-#include <filesystem>
 #include <functional>
 #include <list>
 #include <mutex>
@@ -50,11 +49,10 @@ struct Picture {
     std::string report;  ///< the program's output
 };
 
-[[nodiscard]] std::filesystem::path program(const ViewSettings& settings, int stage, Whose whose);
-[[nodiscard]] std::filesystem::path scene_file(const ViewSettings& settings, int stage);
+[[nodiscard]] fs::path program(const ViewSettings& settings, int stage, Whose whose);
+[[nodiscard]] fs::path scene_file(const ViewSettings& settings, int stage);
 /// The student's files; empty if the stage is not started.
-[[nodiscard]] std::vector<std::filesystem::path> student_files(const ViewSettings& settings,
-                                                               int stage);
+[[nodiscard]] std::vector<fs::path> student_files(const ViewSettings& settings, int stage);
 [[nodiscard]] SceneView scene_view(const ViewSettings& settings, int stage);
 
 /// Runs the programs, in a temporary folder with the lifetime of this object.
@@ -73,7 +71,7 @@ public:
 
 private:
     /// The scene with the drawing's camera.
-    [[nodiscard]] std::filesystem::path scene_of(const RenderRequest& picture_request);
+    [[nodiscard]] fs::path scene_of(const RenderRequest& picture_request);
     /// The program's output, and last its exit status if it failed.
     [[nodiscard]] ProcessResult run(const RenderRequest& picture_request, Whose whose,
                                     const std::string& scene, const Command& rest,

@@ -1,17 +1,14 @@
 #include "common/course/view/view.hpp"
 
 #include "common/course/exercise/log_diff.hpp"
-#include "common/course/view/host.hpp"
+#include "common/course/view/server.hpp"
 #include "common/course/view/stage_runner.hpp"
 #include "common/course/view/watcher.hpp"
-
 #include "common/image/pixel.hpp"
-#include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/translation.hpp"
 
 #include <array>
-#include <cstdio>
 
 namespace rt {
 
@@ -41,10 +38,9 @@ void add_shade(Command& options, const Request& request) {
     if (!options.empty() && options.back() == "samples")
         options.insert(options.end(), {"--pixel-error", pixel_error});
     if (!request.parameters.contains("low")) return;
-    std::array<char, 64> range{};
-    std::snprintf(range.data(), range.size(), "%.9g,%.9g", number(request, "low", 1e-30, 1e30),
-                  number(request, "high", 1e-30, 1e30));
-    options.insert(options.end(), {"--shade-range", range.data()});
+    options.insert(options.end(),
+                   {"--shade-range", formatted("%.9g,%.9g", number(request, "low", 1e-30, 1e30),
+                                               number(request, "high", 1e-30, 1e30))});
 }
 
 int parse_stage(const Request& request) {
@@ -84,15 +80,13 @@ std::string json_line(const std::optional<std::string>& line) {
 
 /// A row is [mine, the reference's, whether they differ].
 std::string json_rows(const LogDiff& diff) {
-    std::string rows;
-    for (const LogRow& row : diff.rows)
-        rows += (rows.empty() ? "[" : ",[") + json_line(row.mine) + "," + json_line(row.reference) +
-                "," + (row.differs ? "true]" : "false]");
-    std::string unwritten;
-    for (const std::string& message : diff.unwritten)
-        unwritten += (unwritten.empty() ? "" : ",") + json(tr_text(message));
-    return "{\"rows\":[" + rows + "],\"first\":" + json(diff.first) + ",\"unwritten\":[" +
-           unwritten + "]}";
+    const auto row_of = [](const LogRow& row) {
+        return "[" + json_line(row.mine) + "," + json_line(row.reference) + "," +
+               (row.differs ? "true]" : "false]");
+    };
+    const auto own = [](const std::string& message) { return json(tr_text(message)); };
+    return "{\"rows\":[" + joined(diff.rows, row_of, ",") + "],\"first\":" + json(diff.first) +
+           ",\"unwritten\":[" + joined(diff.unwritten, own, ",") + "]}";
 }
 
 /// The page's questions, answered.
@@ -132,20 +126,17 @@ private:
     /// The catalogue of the page's language, as a script.
     [[nodiscard]] Response words() const {
         const std::string language = settings_.language.empty() ? "en" : settings_.language;
-        std::string all;
-        for (const CatalogueEntry& entry :
-             translations_in(settings_.project / "lang" / language / "view.po"))
-            all += (all.empty() ? "" : ",") + json(entry.english) + ":" + json(entry.own);
+        const std::string all = joined(
+            translations_in(settings_.project / "lang" / language / "view.po"),
+            [](const CatalogueEntry& entry) { return json(entry.english) + ":" + json(entry.own); },
+            ",");
         return {.body = "const language = " + json(language) + ", words = {" + all + "};\n",
                 .type = "text/javascript; charset=utf-8"};
     }
 
     Response stages() const {
-        std::string names;
-        for (const std::string_view name : stage_names)
-            names += (names.empty() ? "" : ",") + json(name);
-        return {.body = "{\"first\":" + std::to_string(settings_.stage) + ",\"stages\":[" + names +
-                        "]}",
+        return {.body = "{\"first\":" + std::to_string(settings_.stage) + ",\"stages\":[" +
+                        joined(stage_names, json, ",") + "]}",
                 .type = json_type};
     }
 
@@ -169,16 +160,12 @@ private:
                            ",\"error\":" + json(news.error) + ",\"started\":" + started() +
                            ",\"width\":" + std::to_string(view.width) +
                            ",\"height\":" + std::to_string(view.height) + ",\"camera\":";
-        if (const auto& camera = view.camera) {
-            std::array<char, 512> text{};
-            std::snprintf(text.data(), text.size(),
-                          "{\"x\":%.9g,\"y\":%.9g,\"z\":%.9g,\"yaw\":%.9g,\"pitch\":%.9g,"
-                          "\"fov\":%.9g}",
+        if (const auto& camera = view.camera)
+            body +=
+                formatted(R"({"x":%.9g,"y":%.9g,"z":%.9g,"yaw":%.9g,"pitch":%.9g,"fov":%.9g})",
                           camera->x, camera->y, camera->z, camera->yaw, camera->pitch, camera->fov);
-            body += text.data();
-        } else {
+        else
             body += "null";
-        }
         return {.body = body + "}", .type = json_type};
     }
 

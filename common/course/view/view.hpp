@@ -1,20 +1,21 @@
 // `./course view`: a page that shows the pictures while the student edits the code.
 #pragma once
 
+#include "common/system/files.hpp"
+
 #include <chrono>
-#include <filesystem>
 #include <functional>
 #include <string>
 
 namespace rt {
 
 struct ViewSettings {
-    std::filesystem::path project;  ///< contains the scenes, and the student's files, which are
-                                    ///< watched
-    std::filesystem::path build;    ///< contains stepNN_name and stepNN_name_reference_program
-    int stage = 1;                  ///< the first stage to show
-    std::string language = "";      ///< of the page, as in lang/; empty for English
-    int port = 0;                   ///< 0: any free port
+    fs::path project;           ///< contains the scenes, and the student's files, which are
+                                ///< watched
+    fs::path build;             ///< contains stepNN_name and stepNN_name_reference_program
+    int stage = 1;              ///< the first stage to show
+    std::string language = "";  ///< of the page, as in lang/; empty for English
+    int port = 0;               ///< 0: any free port
     std::chrono::seconds render_limit{60};
 
     /// Builds a stage's programs. Returns the first error of the compiler, or an empty text. Called

@@ -1,13 +1,12 @@
 #include "common/course/view/watcher.hpp"
 
 #include "common/course/view/stage_runner.hpp"
+#include "common/system/files.hpp"
 
 #include <cstdint>
 #include <functional>
 
 namespace rt {
-
-namespace fs = std::filesystem;
 
 namespace {
 

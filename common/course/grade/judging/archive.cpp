@@ -1,7 +1,5 @@
 #include "common/course/grade/judging/archive.hpp"
 
-#include "common/system/files.hpp"
-
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -13,8 +11,6 @@
 namespace rt::grade {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::size_t largest_source = 256 * 1024;
 constexpr std::size_t largest_list = 32 << 20;
@@ -65,7 +61,7 @@ Unpacked read_list(const std::string& text, const fs::path& folder) {
         if (!(line >> kind >> number >> length) || length > text.size() - end - 1) break;
         at = end + 1 + length + 1;
         if (kind == "end") unpacked.whole = true;
-        const auto known = std::find(kinds.begin(), kinds.end(), kind);
+        const auto known = std::ranges::find(kinds, kind);
         if (known == kinds.end()) break;
         unpacked.entries.push_back({.kind = Entry::Kind(known - kinds.begin()),
                                     .name = text.substr(end + 1, length),
@@ -86,9 +82,7 @@ std::optional<Unpacked> unpack(const BuildDirectory& workshop, const fs::path& a
     Unpacked unpacked = read_list(list.value_or(""), folder);
     if (ending.status != 0) unpacked.whole = false;
     const auto is_damaged = [](const Entry& each) { return each.kind == Entry::Kind::damaged; };
-    if (!unpacked.whole ||
-        std::any_of(unpacked.entries.begin(), unpacked.entries.end(), is_damaged))
-        check_space(folder);
+    if (!unpacked.whole || std::ranges::any_of(unpacked.entries, is_damaged)) check_space(folder);
     if (!unpacked.whole && unpacked.entries.empty()) return std::nullopt;
     return unpacked;
 }

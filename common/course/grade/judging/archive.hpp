@@ -2,20 +2,19 @@
 #pragma once
 
 #include "common/course/grade/judging/workshop.hpp"
+#include "common/system/files.hpp"
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace rt::grade {
 
-/// One entry of an archive.
 struct Entry {
     enum class Kind { folder, other, source, archive, link, locked, large, damaged, nameless };
     Kind kind = Kind::other;
     std::string name;
-    std::filesystem::path file;  ///< an unpacked file: a source or an archive
+    fs::path file;  ///< an unpacked file: a source or an archive
 };
 
 struct Unpacked {
@@ -30,11 +29,11 @@ struct Unpacked {
 /// Returns nothing if the archive cannot be read at all. Throws ProgramError or filesystem_error if
 /// the grader itself fails.
 [[nodiscard]] std::optional<Unpacked> unpack(const BuildDirectory& workshop,
-                                             const std::filesystem::path& archive,
-                                             const std::filesystem::path& folder, int megabytes);
+                                             const fs::path& archive, const fs::path& folder,
+                                             int megabytes);
 
 /// The text, if this is a regular file (no link, device or pipe) of the size of a handwritten
 /// source.
-[[nodiscard]] std::optional<std::string> source_text(const std::filesystem::path& file);
+[[nodiscard]] std::optional<std::string> source_text(const fs::path& file);
 
 }  // namespace rt::grade

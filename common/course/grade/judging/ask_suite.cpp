@@ -2,7 +2,6 @@
 
 #include "common/course/build/suite_report.hpp"
 #include "common/stages/stages.hpp"
-#include "common/system/files.hpp"
 #include "common/system/hash.hpp"
 #include "common/system/input_error.hpp"
 
@@ -23,8 +22,6 @@ namespace rt::grade {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 // The limits of a worker. Right answers use at most a tenth of them. A case has less than the
 // sandbox allows for a process, so that the client always ends it.
 constexpr int answer_seconds = 5;
@@ -32,14 +29,6 @@ constexpr int case_seconds = 8;
 constexpr int suite_seconds = 20;
 // A suite that has computed for this long, with its workers, was kept from its end by them.
 constexpr int most_processor_seconds = 10 * suite_seconds;
-
-/// The cases that the starter passes.
-std::set<std::string> given_cases(const Grading& grading, int stage) {
-    const fs::path file = grading.project / "steps" / stage_name(stage) / "starter/passes.txt";
-    if (!fs::exists(file)) return {};
-    const std::vector<std::string> lines = lines_of(read_text(file));
-    return {lines.begin(), lines.end()};
-}
 
 /// While it exists, the processes that this thread starts run on the processor that the thread is
 /// on. A suite and its worker take turns: to wake the other on another, idle processor takes longer
@@ -108,7 +97,8 @@ std::vector<CaseMark> ask_suite(const Grading& grading, GradedFile graded, const
     if (!fs::exists(report) && ending.out_of_time) return cases;
     if (!fs::exists(report))
         throw ProgramError("the suite of " + name_of(graded) + " does not run\n");
-    const std::set<std::string> given = given_cases(grading, graded.stage);
+    const std::set<std::string> given =
+        passed_by_starter(grading.project / "steps" / stage_name(graded.stage));
     for (const CaseResult& each : read_report(read_text(report)))
         cases.push_back({.name = each.name,
                          .points = each.points,
@@ -124,15 +114,11 @@ std::vector<CaseMark> ask_suite(const Grading& grading, GradedFile graded, const
 
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr std::size_t digits = 16;
 constexpr std::size_t identifier_digits = 8;
 
 std::string text_of(std::uint64_t number) {
-    char text[digits + 1];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(number));
-    return text;
+    return formatted("%016llx", static_cast<unsigned long long>(number));
 }
 
 std::uint64_t random_bits() {

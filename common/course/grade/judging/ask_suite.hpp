@@ -3,9 +3,9 @@
 
 #include "common/course/grade/judging/workshop.hpp"
 #include "common/course/grade/results/results.hpp"
+#include "common/system/files.hpp"
 
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <set>
 #include <string>
@@ -14,9 +14,9 @@ namespace rt::grade {
 
 /// The settings for grading a class.
 struct Grading {
-    std::filesystem::path project;
-    std::filesystem::path build;
-    std::filesystem::path results;
+    fs::path project;
+    fs::path build;
+    fs::path results;
     BuildDirectory workshop;
     std::string seed;  ///< its identifier
     std::set<int> stages;
@@ -35,22 +35,22 @@ struct Grading {
 /// The report of a file's suite on the worker, run with these additional variables. Contains the
 /// cases that were reached.
 [[nodiscard]] std::vector<CaseMark> ask_suite(const Grading& grading, GradedFile graded,
-                                              const std::filesystem::path& worker,
+                                              const fs::path& worker,
                                               const Command& more_variables = {});
 
 // The secret seed of a graded run's random inputs, in the file seed.txt of the results.
 
 /// "results/seed.txt": 16 hexadecimal digits, for the lecturer only.
-[[nodiscard]] std::filesystem::path seed_file(const std::filesystem::path& results);
+[[nodiscard]] fs::path seed_file(const fs::path& results);
 
 /// The seed in a file. Throws InputError if it contains none.
-[[nodiscard]] std::uint64_t read_seed(const std::filesystem::path& file);
+[[nodiscard]] std::uint64_t read_seed(const fs::path& file);
 
 /// The seed of these results: the existing one; else that of the given file; else a new one, of 64
 /// random bits from the system. It is stored once, so that runs that start at the same time use the
 /// same seed. Throws InputError if the given file has no seed, or a different one.
-[[nodiscard]] std::uint64_t agreed_seed(const std::filesystem::path& results,
-                                        const std::optional<std::filesystem::path>& given);
+[[nodiscard]] std::uint64_t agreed_seed(const fs::path& results,
+                                        const std::optional<fs::path>& given);
 
 /// Eight digits that identify the seed without revealing it.
 [[nodiscard]] std::string seed_identifier(std::uint64_t seed);

@@ -2,7 +2,6 @@
 
 #include "common/course/grade/judging/class_layout.hpp"
 #include "common/course/grade/sandbox/source_names.hpp"
-
 #include "common/system/escaping.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/text.hpp"
@@ -16,23 +15,11 @@ namespace rt::grade {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr std::size_t longest_name = 80;
 // total size of the files unpacked from an archive of a class
 constexpr int class_megabytes = 2000;
 // and from a student's, to see whether it looks like one
 constexpr int submission_megabytes = 32;
-
-/// "Bob_Ray_124, Zoe_Doe_123 and 20 more"
-std::string listed(const std::vector<std::string>& students) {
-    constexpr std::size_t most = 6;
-    std::string all;
-    for (std::size_t i = 0; i < std::min(students.size(), most); ++i)
-        all += (i == 0 ? "" : ", ") + students[i];
-    if (students.size() > most) all += " and " + std::to_string(students.size() - most) + " more";
-    return all;
-}
 
 class Finding {
 public:
@@ -115,8 +102,8 @@ private:
     }
 
     [[nodiscard]] bool has_labels(const std::vector<fs::path>& entries) const {
-        return std::any_of(entries.begin(), entries.end(),
-                           [this](const fs::path& each) { return label_of(each).has_value(); });
+        return std::ranges::any_of(
+            entries, [this](const fs::path& each) { return label_of(each).has_value(); });
     }
 
     void add_student(const fs::path& place) {
@@ -167,7 +154,7 @@ private:
             return doubt(place);
         }
         places_.back().is_class = true;
-        const bool alone = 1 == std::count_if(entries.begin(), entries.end(), [](const auto& each) {
+        const bool alone = 1 == std::ranges::count_if(entries, [](const auto& each) {
                                return is_folder(each) || is_archive(each.filename());
                            });
         for (const fs::path& each : entries) {
@@ -251,7 +238,7 @@ private:
     /// "; week1.zip looks like a class of 2, anna, bob", or nothing.
     [[nodiscard]] std::string students_in(const fs::path& place,
                                           const std::vector<fs::path>& entries) const {
-        const auto archives = std::count_if(entries.begin(), entries.end(), [](const auto& each) {
+        const auto archives = std::ranges::count_if(entries, [](const auto& each) {
             return !is_folder(each) && is_archive(each.filename());
         });
         Finding inside(workshop_, results_, false);
@@ -294,7 +281,6 @@ ClassFolder find_class(const BuildDirectory& workshop, const std::vector<fs::pat
 
 ClassFolder one_submission(const std::vector<fs::path>& places) {
     Submission submission;
-    std::string all;
     for (const fs::path& place : places) {
         if (!fs::exists(place)) throw InputError({place}, "does not exist");
         const fs::path full = fs::absolute(place).lexically_normal();
@@ -304,10 +290,10 @@ ClassFolder one_submission(const std::vector<fs::path>& places) {
             submission.student =
                 plain_name(labeled ? labeled->student : without_archive_ending(last));
         submission.pieces.push_back({full, labeled ? labeled->name : last});
-        all += (all.empty() ? "" : ", ") + place.string();
     }
+    const auto text = [](const fs::path& place) { return place.string(); };
     return {.submissions = {submission},
-            .taken_as = {all + (places.size() == 1 ? " is" : " are") +
+            .taken_as = {joined(places, text) + (places.size() == 1 ? " is" : " are") +
                          " taken as one submission, of " + submission.student}};
 }
 

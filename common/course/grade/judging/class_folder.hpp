@@ -3,8 +3,8 @@
 #pragma once
 
 #include "common/course/grade/judging/intake.hpp"
+#include "common/system/files.hpp"
 
-#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -17,7 +17,7 @@ struct ClassFolder {
                                           ///< "list.txt: …"
     std::vector<std::string> taken_as;    ///< whose submissions each place contains: "anna.zip is
                                           ///< taken as one submission, of anna"
-    std::map<std::filesystem::path, std::vector<std::string>>
+    std::map<fs::path, std::vector<std::string>>
         classes;  ///< the students of the folders that look like a class
 };
 
@@ -30,12 +30,12 @@ struct ClassFolder {
 /// different on case-insensitive file systems too. Throws InputError if a place does not exist,
 /// contains no submission, or may be either a class or a submission.
 [[nodiscard]] ClassFolder find_class(const BuildDirectory& workshop,
-                                     const std::vector<std::filesystem::path>& places,
-                                     const std::filesystem::path& results = {},
+                                     const std::vector<fs::path>& places,
+                                     const fs::path& results = {},
                                      bool archives_are_classes = false);
 
 /// All places belong to one student. Throws InputError.
-[[nodiscard]] ClassFolder one_submission(const std::vector<std::filesystem::path>& places);
+[[nodiscard]] ClassFolder one_submission(const std::vector<fs::path>& places);
 
 /// A student's name, made safe for a folder, a page and a table.
 [[nodiscard]] std::string plain_name(const std::string& name);

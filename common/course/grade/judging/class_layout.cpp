@@ -2,9 +2,7 @@
 
 #include "common/course/grade/judging/archive.hpp"
 #include "common/course/grade/sandbox/source_names.hpp"
-
 #include "common/stages/stages.hpp"
-#include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/text.hpp"
 
@@ -16,13 +14,11 @@ namespace rt::grade {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Creates the names as folders and files.
 void create(const Unpacked& unpacked, const fs::path& folder) {
     for (const Entry& entry : unpacked.entries) {
         const fs::path name = fs::path(entry.name).lexically_normal();
-        if (name.is_absolute() || std::find(name.begin(), name.end(), "..") != name.end()) continue;
+        if (name.is_absolute() || std::ranges::find(name, "..") != name.end()) continue;
         const fs::path to = folder / name;
         std::error_code failed;
         if (entry.kind == Entry::Kind::folder) {
@@ -48,7 +44,7 @@ std::vector<fs::path> entries_of(const fs::path& folder) {
          each.increment(failed))
         if (!is_litter(each->path().filename())) all.push_back(each->path());
     if (failed) throw InputError({folder}, "cannot be read");
-    std::sort(all.begin(), all.end());
+    std::ranges::sort(all);
     return all;
 }
 
@@ -74,11 +70,11 @@ std::set<int> stages_in(const fs::path& folder) {
 }
 
 bool is_submission(const std::vector<fs::path>& entries) {
-    return std::any_of(entries.begin(), entries.end(), [](const fs::path& each) {
+    return std::ranges::any_of(entries, [](const fs::path& each) {
         const std::string name = each.filename();
         const Named named = named_for(name);
         return (named.fit >= Fit::near && named.stage != 0 && !label(name)) || name == "steps" ||
-               std::find(stage_names.begin(), stage_names.end(), name) != stage_names.end();
+               std::ranges::find(stage_names, name) != stage_names.end();
     });
 }
 

@@ -2,29 +2,25 @@
 
 #include "common/course/grade/judging/archive.hpp"
 #include "common/course/grade/sandbox/source_names.hpp"
-
 #include "common/stages/stages.hpp"
-#include "common/system/files.hpp"
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <list>
 #include <optional>
+#include <span>
 #include <tuple>
 
 namespace rt::grade {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr int most_entries = 1000000;
 constexpr int deepest = 60;
 constexpr int most_archives = 10;
 constexpr int most_megabytes = 32;  // total size of the files unpacked from an archive
 constexpr int deepest_archive = 3;
-constexpr std::size_t most_named = 6;
 constexpr std::size_t longest_path_shown = 200;  // of a name
 constexpr int most_problems = 20;
 constexpr std::size_t most_useless = 10000;
@@ -38,9 +34,9 @@ struct Found {
 };
 
 /// True if a folder of the path has this name.
-bool is_below(const fs::path& file, const std::string& folder) {
+bool is_below(const fs::path& file, const fs::path& folder) {
     const fs::path parent = file.parent_path();
-    return std::find(parent.begin(), parent.end(), folder) != parent.end();
+    return std::ranges::find(parent, folder) != parent.end();
 }
 
 /// The stage of the folder nearest to a file that names one; 0 if none does.
@@ -76,15 +72,6 @@ std::string shortened(const fs::path& file) {
     return "…" + name.substr(start);
 }
 
-std::string enumerated(const std::vector<std::string>& names) {
-    std::string all;
-    for (std::size_t i = 0; i < std::min(names.size(), most_named); ++i)
-        all += (i == 0 ? "" : ", ") + names[i];
-    if (names.size() > most_named)
-        all += " and " + std::to_string(names.size() - most_named) + " more";
-    return all;
-}
-
 /// Searches everything that a student submitted.
 class Search {
 public:
@@ -107,11 +94,11 @@ public:
         SubmittedFiles handed_in;
         for (const auto& [folder, main] : mains_) place_main(folder, main, handed_in);
         for (auto& [graded, found] : found_) choose(graded, found, handed_in);
-        std::sort(others_.begin(), others_.end());
+        std::ranges::sort(others_);
         handed_in.words_on_all = words_;
         if (handed_in.files.empty() && !others_.empty())
             handed_in.words_on_all +=
-                "No file has a stage's name. Found: " + enumerated(others_) + ".\n";
+                "No file has a stage's name. Found: " + listed(others_) + ".\n";
         else if (found_.empty() && mains_.empty() && words_.empty())
             handed_in.words_on_all += no_sources();
         for (auto& [graded, words] : handed_in.words)
@@ -123,8 +110,8 @@ private:
     /// The reason why nothing was found.
     [[nodiscard]] std::string no_sources() {
         if (useless_.empty()) return "The submission contains no file.\n";
-        std::sort(useless_.begin(), useless_.end());
-        return "No file is a C++ source. Found: " + enumerated(useless_) + ".\n";
+        std::ranges::sort(useless_);
+        return "No file is a C++ source. Found: " + listed(useless_) + ".\n";
     }
 
     void add_folder(const fs::path& folder, const fs::path& name, int depth) {
@@ -150,7 +137,7 @@ private:
             }
         }
         if (failed) problem("Part of the submission cannot be read.");
-        std::sort(files.begin(), files.end());
+        std::ranges::sort(files);
         for (const fs::path& file : files) add(file, name / file.lexically_relative(folder), depth);
     }
 
@@ -178,8 +165,8 @@ private:
     void add_entry(const Entry& entry, const fs::path& archive, int depth) {
         const fs::path inside = fs::path(entry.name).lexically_normal();
         const fs::path name = archive / inside.relative_path();
-        const bool leads_out = fs::path(entry.name).is_absolute() ||
-                               std::find(inside.begin(), inside.end(), "..") != inside.end();
+        const bool leads_out =
+            fs::path(entry.name).is_absolute() || std::ranges::find(inside, "..") != inside.end();
         if (leads_out) return add_file(name, {}, "its name leads out of the archive");
         switch (entry.kind) {
             case Entry::Kind::folder:
@@ -234,7 +221,7 @@ private:
             found.text = std::move(text);
         std::vector<Found>& all = found_[graded];
         // An archive may contain a name twice: the last entry counts, as in every unpacker.
-        const auto twice = std::find_if(all.begin(), all.end(), [&](const Found& other) {
+        const auto twice = std::ranges::find_if(all, [&](const Found& other) {
             return other.path == found.path && other.text && found.text;
         });
         if (twice != all.end())
@@ -249,7 +236,7 @@ private:
         std::vector<int> stages;
         for (const auto& [graded, files] : found_)
             if (!graded.is_trace && has_trace(graded.stage) &&
-                std::any_of(files.begin(), files.end(), [&](const Found& each) {
+                std::ranges::any_of(files, [&](const Found& each) {
                     return each.text && each.path.parent_path() == folder;
                 }))
                 stages.push_back(graded.stage);
@@ -276,18 +263,17 @@ private:
     }
 
     static void choose(GradedFile graded, std::vector<Found>& found, SubmittedFiles& handed_in) {
-        std::sort(found.begin(), found.end(),
-                  [](const Found& a, const Found& b) { return rank(a) < rank(b); });
+        std::ranges::sort(found, {}, rank);
         const std::string name = file_name(graded);
-        const auto best = std::find_if(found.begin(), found.end(),
-                                       [](const Found& each) { return each.text.has_value(); });
+        const auto best =
+            std::ranges::find_if(found, [](const Found& each) { return each.text.has_value(); });
         std::string words;
         if (best == found.end()) {
             std::vector<std::string> not_taken;
             for (const Found& each : found)
                 not_taken.push_back(shortened(each.path) + " (" + each.why_not + ")");
             handed_in.words[graded] =
-                "There is no " + name + ". Found, but not used: " + enumerated(not_taken) + ".\n";
+                "There is no " + name + ". Found, but not used: " + listed(not_taken) + ".\n";
             return;
         }
         handed_in.files[graded] = *best->text;
@@ -299,7 +285,7 @@ private:
         if (!differ.empty())
             words += "There are " + std::to_string(differ.size() + 1) + " files for " + name +
                      " that differ; " + shortened(best->path) + " was used, and not " +
-                     enumerated(differ) + ".\n";
+                     listed(differ) + ".\n";
         if (!words.empty()) handed_in.words[graded] = words;
     }
 
@@ -317,6 +303,13 @@ private:
 };
 
 }  // namespace
+
+std::string listed(const std::vector<std::string>& names) {
+    constexpr std::size_t most = 6;
+    if (names.size() <= most) return joined(names);
+    return joined(std::span(names).first(most)) + " and " + std::to_string(names.size() - most) +
+           " more";
+}
 
 bool is_results(const fs::path& folder) {
     std::error_code none;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "common/course/grade/judging/workshop.hpp"
+#include "common/system/files.hpp"
 
-#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@ namespace rt::grade {
 
 /// A file, a folder or an archive of one student.
 struct Piece {
-    std::filesystem::path place;
+    fs::path place;
     std::string name;  ///< the student's file name, without a learning platform's prefix
 };
 
@@ -22,9 +22,12 @@ struct Submission {
     std::vector<Piece> pieces;
 };
 
+/// "Bob_Ray_124, Zoe_Doe_123 and 20 more": the first six names.
+[[nodiscard]] std::string listed(const std::vector<std::string>& names);
+
 /// True for the output of this run or an earlier one, which may be among the submissions or inside
 /// one. It contains files of other students.
-[[nodiscard]] bool is_results(const std::filesystem::path& folder);
+[[nodiscard]] bool is_results(const fs::path& folder);
 
 /// The contents of a submission.
 struct SubmittedFiles {

@@ -5,7 +5,6 @@
 #include "common/course/grade/results/sha256.hpp"
 #include "common/stages/reasons.hpp"
 #include "common/stages/stages.hpp"
-#include "common/system/files.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -13,8 +12,6 @@
 namespace rt::grade {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 bool was_waited_for(const CaseMark& each) {
     return !each.passed && (each.words.find("gave no answer within") != std::string::npos ||
@@ -25,9 +22,8 @@ bool was_waited_for(const CaseMark& each) {
 /// by `./course check`, with inputs that a student can repeat. Returns the cases with these inputs.
 std::vector<CaseMark> retell(std::vector<CaseMark>& cases, const Grading& grading,
                              GradedFile graded, const fs::path& worker) {
-    const auto fails = [](const CaseMark& each) { return !each.passed; };
-    if (std::none_of(cases.begin(), cases.end(), fails)) return cases;
-    if (std::any_of(cases.begin(), cases.end(), was_waited_for)) return cases;  // it would be again
+    if (std::ranges::all_of(cases, &CaseMark::passed)) return cases;
+    if (std::ranges::any_of(cases, was_waited_for)) return cases;  // it would be again
     std::vector<CaseMark> as_written =
         ask_suite(grading, graded, worker, {"RAYSTEPS_AS_WRITTEN=1"});
     for (const CaseMark& marked : as_written)
@@ -61,11 +57,6 @@ int points_of(const std::vector<CaseMark>& cases) {
     return points;
 }
 
-bool all_pass(const std::vector<CaseMark>& cases) {
-    return std::all_of(cases.begin(), cases.end(),
-                       [](const CaseMark& each) { return each.passed; });
-}
-
 /// The same marks as if the suite had reached all cases.
 std::vector<CaseMark> completed(std::vector<CaseMark> cases, const std::vector<CaseMark>& all) {
     for (std::size_t i = cases.size(); i < all.size(); ++i)
@@ -80,7 +71,7 @@ std::vector<CaseMark> completed(std::vector<CaseMark> cases, const std::vector<C
 /// True if the suite ended by the limit of all its cases. A worker without an answer for that long
 /// gets no more queries.
 bool is_out_of_time(const Mark& mark) {
-    return std::any_of(mark.cases.begin(), mark.cases.end(), [](const CaseMark& each) {
+    return std::ranges::any_of(mark.cases, [](const CaseMark& each) {
         return each.words.find(not_reached) != std::string::npos ||
                each.words.find(too_long_a_suite) != std::string::npos;
     });
@@ -88,26 +79,23 @@ bool is_out_of_time(const Mark& mark) {
 
 /// True if every function is written: the result of a stub may look like a known mistake.
 bool is_written(const std::string& text) {
-    for (const std::string& line : lines_of(text)) {
-        const std::size_t start = line.find_first_not_of(" \t");
-        if (start != std::string::npos && line.compare(start, 7, "RT_TODO") == 0) return false;
-    }
-    return true;
+    return std::ranges::none_of(lines_of(text), [](const std::string& line) {
+        return trimmed(line).starts_with("RT_TODO");
+    });
 }
 
 /// Parses the output of the program `diagnose`, by the first word of each line.
 void read_diagnosis(const std::string& output, Mark& mark) {
     std::string* part = nullptr;
     for (const std::string& line : lines_of(output)) {
-        if (line.rfind("mistake: ", 0) == 0) {
-            const std::size_t sentence = line.find(": ", 9);
-            mark.mistake += (mark.mistake.empty() ? "" : "\n") + line.substr(sentence + 2);
+        if (const auto mistake = after("mistake: ", line)) {
+            mark.mistake +=
+                (mark.mistake.empty() ? "" : "\n") + mistake->substr(mistake->find(": ") + 2);
             part = nullptr;
         } else {
-            constexpr std::string_view always = "always: ";
-            const bool is_constant = line.starts_with(always);
-            if (is_constant || line.starts_with("smallest: ")) part = &mark.smallest;
-            if (part != nullptr) *part += line.substr(is_constant ? always.size() : 0) + "\n";
+            const auto always = after("always: ", line);
+            if (always || line.starts_with("smallest: ")) part = &mark.smallest;
+            if (part != nullptr) *part += always.value_or(line) + "\n";
         }
     }
 }
@@ -230,7 +218,7 @@ void Judge::mark_file(SubmissionJob& job, GradedFile graded, Mark& mark) {
     const std::vector<CaseMark> as_written = retell(cases, grading_, graded, job.worker());
     cases = completed(cases, cases_of(reference_result.cases, graded));
     mark.cases.insert(mark.cases.end(), cases.begin(), cases.end());
-    if (all_pass(cases)) return;
+    if (std::ranges::all_of(cases, &CaseMark::passed)) return;
     if (graded.is_trace) {
         const bool is_whole = as_written.size() == cases.size() && !is_out_of_time(mark);
         if (is_whole && is_written(job.text(graded)))

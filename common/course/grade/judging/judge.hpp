@@ -4,6 +4,7 @@
 #include "common/course/grade/judging/ask_suite.hpp"
 #include "common/course/grade/judging/intake.hpp"
 #include "common/course/grade/results/results.hpp"
+#include "common/system/files.hpp"
 
 #include <map>
 #include <mutex>
@@ -12,10 +13,10 @@ namespace rt::grade {
 
 /// The reference's result: the points of each case of a stage.
 struct ReferenceResult {
-    std::filesystem::path worker;  ///< built from the references alone
-    std::string key;               ///< hash of everything that decides a mark, apart from the
-                                   ///< student's files
-    std::vector<CaseMark> cases;   ///< of the functions, then of `trace`; all of them pass
+    fs::path worker;              ///< built from the references alone
+    std::string key;              ///< hash of everything that decides a mark, apart from the
+                                  ///< student's files
+    std::vector<CaseMark> cases;  ///< of the functions, then of `trace`; all of them pass
 };
 
 /// Compiles the reference of a stage as a submission. Throws ProgramError if it does not compile:
@@ -25,7 +26,7 @@ void compile_reference(const Grading& grading, int stage);
 /// Grades the reference of a stage, and leaves its worker in the folder. Throws ProgramError if it
 /// does not get all points: then no submission could.
 [[nodiscard]] ReferenceResult judge_reference(const Grading& grading, int stage,
-                                              const std::filesystem::path& folder);
+                                              const fs::path& folder);
 
 class SubmissionJob;
 

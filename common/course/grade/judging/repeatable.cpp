@@ -1,7 +1,5 @@
 #include "common/course/grade/judging/repeatable.hpp"
 
-#include "common/system/files.hpp"
-
 #include <algorithm>
 #include <cctype>
 #include <string_view>
@@ -9,11 +7,6 @@
 namespace rt::grade {
 
 namespace {
-
-void remove(std::string& text, const std::string& what) {
-    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at))
-        text.erase(at, what.size());
-}
 
 bool is_of_name(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0;
@@ -63,15 +56,15 @@ std::string sorted_errors(const std::string& words) {
         is_error = starts || (is_error && line.starts_with(">>>"));
     }
     if (occludes.empty()) return words;
-    std::sort(occludes.begin(), occludes.end());
+    std::ranges::sort(occludes);
     for (const std::string& block : occludes) before += block;
     return before + after;
 }
 
 }  // namespace
 
-std::string repeatable(std::string words, const std::vector<std::filesystem::path>& folders) {
-    for (const std::filesystem::path& folder : folders) remove(words, folder.string() + "/");
+std::string repeatable(std::string words, const std::vector<fs::path>& folders) {
+    for (const fs::path& folder : folders) replace_all(words, folder.string() + "/", "");
     // The paths of a TemporaryFolder; and the compiler's temporary files, which keep their folder.
     shorten_names(words, "raysteps.", "/", "");
     for (const char* ending : {".s", ".o", ".out", ".res"})

@@ -8,8 +8,6 @@ namespace rt::grade {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 /// The files that draw the picture of a stage.
 std::vector<GradedFile> chain_of(int stage) {
     std::vector<GradedFile> files;

@@ -40,10 +40,10 @@ public:
     /// The worker of the student's own stages up to this one, and of its `trace`.
     Build link_chain(int stage);
 
-    [[nodiscard]] std::filesystem::path worker() const { return scratch_.path() / "worker"; }
+    [[nodiscard]] fs::path worker() const { return scratch_.path() / "worker"; }
 
     /// In the results, beside the mark.
-    [[nodiscard]] std::filesystem::path beside(int stage, const std::string& ending) const;
+    [[nodiscard]] fs::path beside(int stage, const std::string& ending) const;
 
 private:
     /// A copy of the project's main.cpp is not the student's.
@@ -51,9 +51,9 @@ private:
     /// A sentence; empty for a student's own file.
     [[nodiscard]] std::string why_ours(GradedFile file, const std::string& text) const;
 
-    [[nodiscard]] std::filesystem::path object(GradedFile file) const;
+    [[nodiscard]] fs::path object(GradedFile file) const;
 
-    Build link(int stage, const std::map<GradedFile, std::filesystem::path>& objects);
+    Build link(int stage, const std::map<GradedFile, fs::path>& objects);
 
     const Grading& grading_;
     std::string student_;
@@ -61,7 +61,7 @@ private:
     TemporaryFolder scratch_;
     std::map<GradedFile, Build> compiled_;
     /// The stage and the objects of worker().
-    std::pair<int, std::map<GradedFile, std::filesystem::path>> linked_;
+    std::pair<int, std::map<GradedFile, fs::path>> linked_;
 };
 
 }  // namespace rt::grade

@@ -1,5 +1,7 @@
 #include "common/course/grade/judging/symbols.hpp"
 
+#include "common/system/text.hpp"
+
 #include <cxxabi.h>
 #include <elf.h>
 #include <link.h>
@@ -85,9 +87,7 @@ std::string missing_functions(const ObjectFile& object, const StageFunctions& fu
     for (const ObjectSymbol& symbol : object.symbols)
         if (symbol.is_defined) missing.erase(symbol.name);
     if (missing.empty()) return "";
-    std::string names;
-    for (const std::string& each : missing) names += (names.empty() ? "" : ", ") + demangled(each);
-    return "Your file does not define " + names + ".";
+    return "Your file does not define " + joined(missing, demangled) + ".";
 }
 
 }  // namespace

@@ -4,9 +4,7 @@
 #include "common/course/grade/judging/repeatable.hpp"
 #include "common/course/grade/judging/symbols.hpp"
 #include "common/course/grade/sandbox/seal.hpp"
-
 #include "common/stages/stages.hpp"
-#include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 
 #include <sys/statvfs.h>
@@ -22,8 +20,6 @@
 namespace rt::grade {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::size_t longest_words = 4000;
 // An honest file compiles in less than a second. With the limits of a first compile, a file that
@@ -177,9 +173,8 @@ ProcessResult run_compiler(const BuildDirectory& workshop, const fs::path& writa
                            const ToolLimits& limits = {}) {
     const std::vector<fs::path> own = compiler_files(command.at(0));
     readable.insert(readable.end(), own.begin(), own.end());
-    const std::string include = "-isystem";
     for (const std::string& word : command)
-        if (word.rfind(include, 0) == 0) readable.emplace_back(word.substr(include.size()));
+        if (const auto folder = after("-isystem", word)) readable.emplace_back(*folder);
     return run_sealed(workshop, writable, readable, command, limits);
 }
 
@@ -219,7 +214,7 @@ std::string compile_message(const ProcessResult& ending, const BuildDirectory& w
 std::string wide_encoding(const std::string& text) {
     const auto starts = [&text](std::string_view bytes) { return text.starts_with(bytes); };
     using namespace std::string_view_literals;
-    const auto zeros = std::size_t(std::count(text.begin(), text.end(), '\0'));
+    const auto zeros = std::size_t(std::ranges::count(text, '\0'));
     if (starts("\xff\xfe\0\0"sv) || starts("\0\0\xfe\xff"sv) || zeros > text.size() / 3 * 2)
         return "UTF-32";
     if (starts("\xff\xfe") || starts("\xfe\xff") || zeros > text.size() / 3) return "UTF-16";
@@ -310,9 +305,7 @@ void go_on(const BuildDirectory& workshop) {
 }
 
 std::string ended_by_the_clock(const ProcessResult& ending) {
-    char seconds[32];
-    std::snprintf(seconds, sizeof seconds, "%.1f s", ending.processor_seconds);
-    return std::string(" was ended by the clock, after ") + seconds +
+    return " was ended by the clock, after " + formatted("%.1f s", ending.processor_seconds) +
            " of processor time: this machine stood still, or is too busy. The same command judges "
            "it again\n";
 }
@@ -380,11 +373,10 @@ Build compile_submission(const BuildDirectory& workshop, GradedFile graded, cons
     // that includes it somewhere. A file that does not compile this way is compiled unchanged.
     const fs::path header = header_of(workshop, graded);
     const std::vector<Include> includes = includes_of(scratch.path() / source);
-    const bool starts_from_it =
-        fs::exists(precompiled(header)) &&
-        std::any_of(includes.begin(), includes.end(), [graded](const Include& each) {
-            return each.header == costliest_header(graded);
-        });
+    const bool starts_from_it = fs::exists(precompiled(header)) &&
+                                std::ranges::any_of(includes, [graded](const Include& each) {
+                                    return each.header == costliest_header(graded);
+                                });
     ProcessResult compiled = compile(starts_from_it ? Command{"-include", header} : Command{}, {});
     if (starts_from_it && compiled.status != 0 && !is_bomb(compiled)) {
         const ProcessResult unchanged = compile({}, of_second_compile);

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "common/stages/graded_file.hpp"
+#include "common/system/files.hpp"
 #include "common/system/process.hpp"
 
 #include <atomic>
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -17,8 +17,8 @@ namespace rt::grade {
 /// (common/course/grade/seat.cmake). The compiler runs as an unprivileged user, so all folders
 /// above it must be readable by everyone.
 struct BuildDirectory {
-    std::filesystem::path folder;
-    std::filesystem::path sealed;             ///< the launcher
+    fs::path folder;
+    fs::path sealed;                          ///< the launcher
     const std::atomic<bool>* stop = nullptr;  ///< when this becomes true, running programs are
                                               ///< stopped
 };
@@ -32,20 +32,19 @@ struct Interrupted : std::runtime_error {
 void go_on(const BuildDirectory& workshop);
 
 /// Throws InputError if the folder is on a disk from which no program may be run.
-void check_executable(const std::filesystem::path& folder);
+void check_executable(const fs::path& folder);
 
 /// Space on a disk for the files of a few tools at a time, in bytes.
 constexpr std::uintmax_t space_of_tools = 64 << 20;
 
 /// Throws InputError if the disk of the folder is full, or nearly: a tool that failed there may
 /// have failed for no fault of the submission. A disk that reports no size does not count as full.
-void check_space(const std::filesystem::path& folder, std::uintmax_t least = space_of_tools);
+void check_space(const fs::path& folder, std::uintmax_t least = space_of_tools);
 
 /// Fills the folder from the project and its build. Throws filesystem_error, or InputError if the
 /// disk is full.
-[[nodiscard]] BuildDirectory open_workshop(const std::filesystem::path& project,
-                                           const std::filesystem::path& build,
-                                           const std::filesystem::path& folder);
+[[nodiscard]] BuildDirectory open_workshop(const fs::path& project, const fs::path& build,
+                                           const fs::path& folder);
 
 /// The result of a compile or a link.
 struct Build {
@@ -62,13 +61,12 @@ struct Build {
 
 /// Compiles a file of a submission. Refuses one that defines symbols other than its own.
 [[nodiscard]] Build compile_submission(const BuildDirectory& workshop, GradedFile graded,
-                                       const std::string& text,
-                                       const std::filesystem::path& object);
+                                       const std::string& text, const fs::path& object);
 
 /// Links a stage's worker from the student's objects, and the references of all other files.
 [[nodiscard]] Build link_worker(const BuildDirectory& workshop, int stage,
-                                const std::map<GradedFile, std::filesystem::path>& objects,
-                                const std::filesystem::path& worker);
+                                const std::map<GradedFile, fs::path>& objects,
+                                const fs::path& worker);
 
 /// The sandbox of the stage's worker: the value of RAYSTEPS_LIMITS.
 [[nodiscard]] std::string worker_limits(int stage);
@@ -86,10 +84,9 @@ struct ToolLimits {
 /// no other user need be able to read. Throws InputError if it fails on a full disk, and
 /// ProgramError if the clock ends it though it has computed for less than half of its processor
 /// time: then the machine is at fault, and not the submission.
-[[nodiscard]] ProcessResult run_sealed(const BuildDirectory& workshop,
-                                       const std::filesystem::path& writable,
-                                       const std::vector<std::filesystem::path>& readable,
+[[nodiscard]] ProcessResult run_sealed(const BuildDirectory& workshop, const fs::path& writable,
+                                       const std::vector<fs::path>& readable,
                                        const Command& command, const ToolLimits& limits = {},
-                                       const std::filesystem::path& input = {});
+                                       const fs::path& input = {});
 
 }  // namespace rt::grade

@@ -112,10 +112,8 @@ std::string remarks(const std::vector<Mark>& marks, const Term& term) {
 }
 
 /// The files that belong to no submission, and the lines of the term's files that fit nothing.
-std::string left_over(const std::filesystem::path& results, const Term& term) {
-    const std::filesystem::path file = results / left_over_file;
-    std::vector<std::string> lines;
-    if (std::filesystem::exists(file)) lines = lines_of(read_text(file));
+std::string left_over(const fs::path& results, const Term& term) {
+    std::vector<std::string> lines = lines_in(results / left_over_file);
     lines.insert(lines.end(), term.notes.begin(), term.notes.end());
     if (lines.empty()) return "";
     if (term.anonymous)
@@ -191,8 +189,7 @@ std::string mistakes(const std::vector<Mark>& marks) {
     }
     if (counts.empty()) return "<p>" + tr("No known mistake was recognized.") + "</p>\n";
     std::vector<std::pair<std::pair<int, std::string>, int>> sorted(counts.begin(), counts.end());
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [](const auto& one, const auto& other) { return one.second > other.second; });
+    std::ranges::stable_sort(sorted, std::greater(), [](const auto& each) { return each.second; });
     std::vector<std::string> rows;
     for (const auto& [which, count] : sorted)
         rows.push_back(row(share_cell("bar", count, judged[which.first], std::to_string(count)) +
@@ -223,7 +220,7 @@ std::vector<CaseCount> hardest_cases(const std::vector<Mark>& marks) {
     std::vector<CaseCount> all;
     for (auto& [key, count] : counts)
         if (count.passed < count.judged) all.push_back(std::move(count));
-    std::stable_sort(all.begin(), all.end(), [](const CaseCount& one, const CaseCount& other) {
+    std::ranges::stable_sort(all, [](const CaseCount& one, const CaseCount& other) {
         return one.passed * other.judged < other.passed * one.judged;
     });
     return all;
@@ -244,20 +241,15 @@ std::string cases(const std::vector<Mark>& marks) {
 }
 
 std::string names(const std::vector<std::string>& students, const Term& term) {
-    std::string all;
-    for (const std::string& student : students)
-        all += (all.empty() ? "" : ", ") + term.called(student);
-    return all;
+    return joined(students, [&](const std::string& student) { return term.called(student); });
 }
 
 std::string near_stages(const NearGroup& group) {
-    std::string all;
-    for (const auto& [file, percent] : group.percent) {
-        const auto [least, most] = percent;
-        all += (all.empty() ? "" : ", ") + file_title(file) + " " +
-               (least == most ? "" : std::to_string(least) + "–") + std::to_string(most) + " %";
-    }
-    return all;
+    return joined(group.percent, [](const auto& stage) {
+        const auto [least, most] = stage.second;
+        return file_title(stage.first) + " " + (least == most ? "" : std::to_string(least) + "–") +
+               std::to_string(most) + " %";
+    });
 }
 
 std::string same(const std::vector<SameFile>& found, const Term& term) {
@@ -278,7 +270,7 @@ std::string near(const std::vector<NearFiles>& found, const Term& term) {
               "apart "
               "from names and comments. In a group, each student's file is similar to another's. "
               "Passages of the starter do not count; passages of many students count little.",
-              {{"percent", std::to_string(near_percent)}}) +
+              {{"percent", near_percent}}) +
            "</p>\n" + first_rows("", rows);
 }
 
@@ -301,7 +293,7 @@ std::string copies(const std::vector<Mark>& marks, const std::vector<LikeMain>& 
                      tr("A copy that differs from it by comments, names or layout is not "
                         "graded. Of the others, which are graded, the percentage of the "
                         "longer file that is in both, from {percent} % on.",
-                        {{"percent", std::to_string(like_main_percent)}}) +
+                        {{"percent", like_main_percent}}) +
                      "</p>\n" + table("list", rows);
 }
 
@@ -319,7 +311,7 @@ std::string alike(const Similarity& found, const Term& term) {
 
 }  // namespace
 
-void write_class_report(const std::filesystem::path& results, const std::filesystem::path& project,
+void write_class_report(const fs::path& results, const fs::path& project,
                         const std::vector<Mark>& marks, const Term& term,
                         const std::string& edition) {
     const std::map<int, int> stages = graded_stages(marks);

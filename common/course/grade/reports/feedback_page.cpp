@@ -12,8 +12,6 @@ namespace rt::grade {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 std::string preformatted(const std::string& words, const std::string& kind = "") {
     if (words.empty()) return "";
     const std::string start = kind.empty() ? "<pre>" : "<pre class=\"" + kind + "\">";
@@ -38,8 +36,7 @@ std::string drawing(const fs::path& file, const std::string& caption) {
 }
 
 std::string of_points(int points, int most) {
-    return tr("{points} of {most}",
-              {{"points", std::to_string(points)}, {"most", counted(most, "point")}});
+    return tr("{points} of {most}", {{"points", points}, {"most", counted(most, "point")}});
 }
 
 std::string failed_case(const CaseMark& each) {
@@ -64,7 +61,7 @@ std::string diagnosis(const Mark& mark, const fs::path& folder) {
 }
 
 std::string picture(const PictureMark& picture, const fs::path& folder) {
-    const Values values = {{"number", std::to_string(picture.different)},
+    const Values values = {{"number", picture.different},
                            {"pixels", counted(picture.pixels, "pixel")}};
     const std::string caption =
         picture.different == 0
@@ -92,7 +89,7 @@ std::string judged(const Mark& mark, const fs::path& folder) {
         html = "<p>" +
                tr(fails == 1 ? to_translate("{cases} of {all} fails.")
                              : to_translate("{cases} of {all} fail."),
-                  {{"cases", counted(fails, "case")}, {"all", std::to_string(mark.cases.size())}}) +
+                  {{"cases", counted(fails, "case")}, {"all", mark.cases.size()}}) +
                "</p>\n";
     if (passes > 0 && mark.points() == 0)
         html += "<p>" +
@@ -143,8 +140,7 @@ std::string overview(const StudentMarks& submission, const std::map<int, int>& s
         html += "<li><a class=\"share\" style=\"--share: " +
                 std::to_string(100 * mark->points() / std::max(most, 1)) + "%\" href=\"#" +
                 name_of(stage) + "\">" + stage_title(stage) + "<small>" +
-                tr("{points} of {most}",
-                   {{"points", std::to_string(mark->points())}, {"most", std::to_string(most)}}) +
+                tr("{points} of {most}", {{"points", mark->points()}, {"most", most}}) +
                 (submission.stages.count(stage) == 0 ? ", " + tr("excused") : "") +
                 (mark->verdict == Verdict::missing     ? ", " + tr("not submitted")
                  : mark->verdict == Verdict::postponed ? ", " + tr("not graded yet")

@@ -15,12 +15,11 @@
 
 namespace rt::grade {
 
-void write_grade_book(const std::filesystem::path& results, const std::vector<Mark>& marks,
-                      const Term& term) {
+void write_grade_book(const fs::path& results, const std::vector<Mark>& marks, const Term& term) {
     const std::map<int, int> stages = graded_stages(marks);
     const std::vector<StudentMarks> all = submissions(marks, term);
     const bool remarks =
-        std::any_of(all.begin(), all.end(), [](const auto& each) { return !each.remarks.empty(); });
+        std::ranges::any_of(all, [](const auto& each) { return !each.remarks.empty(); });
     std::string book = cell(tr("student"));
     for (const auto& [stage, most] : stages) book += "," + name_of(stage);
     book += "," + cell(tr("total")) + "," + cell(tr("of")) +
@@ -86,7 +85,7 @@ std::string suite(const Mark& mark) {
 
 }  // namespace
 
-void write_junit(const std::filesystem::path& results, const std::vector<Mark>& marks) {
+void write_junit(const fs::path& results, const std::vector<Mark>& marks) {
     std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
     for (const Mark& mark : marks) text += suite(mark);
     write_text(results / "junit.xml", text + "</testsuites>\n");
@@ -138,9 +137,9 @@ std::string diagnosis(const Mark& mark) {
 
 }  // namespace
 
-void check_gradescope_file(const std::filesystem::path& file) {
-    if (!std::filesystem::exists(file)) return;
-    if (std::filesystem::is_regular_file(file)) {
+void check_gradescope_file(const fs::path& file) {
+    if (!fs::exists(file)) return;
+    if (fs::is_regular_file(file)) {
         const std::string text = read_text(file);
         const Json older = Json::parse(text, nullptr, /*allow_exceptions=*/false);
         if (text.empty() || (older.is_object() && older.contains("score"))) return;
@@ -148,7 +147,7 @@ void check_gradescope_file(const std::filesystem::path& file) {
     throw InputError({file}, "is no results.json, and would be replaced");
 }
 
-void write_gradescope(const std::filesystem::path& file, const std::vector<Mark>& marks) {
+void write_gradescope(const fs::path& file, const std::vector<Mark>& marks) {
     int score = 0;
     std::string output;
     Json tests = Json::array();

@@ -10,8 +10,6 @@ namespace rt::grade {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr const char* byte_order_mark = "\xef\xbb\xbf";
 
 /// True if a spreadsheet has written "14,50" in the columns of grades, or may be expected to.
@@ -59,7 +57,7 @@ public:
 private:
     [[nodiscard]] std::string decimal(double value) const {
         std::string text = number(value);
-        if (comma_) std::replace(text.begin(), text.end(), '.', ',');
+        if (comma_) std::ranges::replace(text, '.', ',');
         return text;
     }
 

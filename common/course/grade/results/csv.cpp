@@ -2,7 +2,6 @@
 
 #include "common/course/grade/results/student_names.hpp"
 #include "common/system/escaping.hpp"
-#include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/text.hpp"
 
@@ -26,8 +25,7 @@ bool is_formula(std::string_view text) {
 }
 
 std::string quoted(std::string text) {
-    for (std::size_t at = text.find('"'); at != std::string::npos; at = text.find('"', at + 2))
-        text.insert(at, "\"");
+    replace_all(text, "\"", "\"\"");
     return "\"" + text + "\"";
 }
 
@@ -41,10 +39,8 @@ char separator_of(const std::string& text) {
         if (!is_quoted) first += each;
     }
     const std::string separators = ",;\t";
-    return *std::max_element(separators.begin(), separators.end(), [&](char one, char other) {
-        return std::count(first.begin(), first.end(), one) <
-               std::count(first.begin(), first.end(), other);
-    });
+    return *std::ranges::max_element(
+        separators, {}, [&](char separator) { return std::ranges::count(first, separator); });
 }
 
 /// The separator of Excel's own first line, "sep=;"; or nothing.
@@ -83,7 +79,7 @@ int Csv::wanted(const std::vector<std::string>& headings) const {
                      "has no column \"" + headings.front() + "\", but " + enumerated(head.cells));
 }
 
-Csv read_csv(const std::filesystem::path& file) {
+Csv read_csv(const fs::path& file) {
     const auto [text, marked] = read_any_text(file);
     const std::optional<char> named = named_separator(text);
     Csv csv{.file = file, .separator = named ? *named : separator_of(text), .marked = marked};
@@ -129,9 +125,7 @@ Csv read_csv(const std::filesystem::path& file) {
 }
 
 std::string enumerated(const std::vector<std::string>& headings) {
-    std::string all;
-    for (const std::string& each : headings) all += (all.empty() ? "\"" : ", \"") + each + "\"";
-    return all;
+    return joined(headings, [](const std::string& each) { return "\"" + each + "\""; });
 }
 
 std::string no_formula(const std::string& text) {
@@ -206,7 +200,7 @@ std::string from_utf16(std::string_view bytes, bool big_end_first) {
 
 }  // namespace
 
-AnyText read_any_text(const std::filesystem::path& file) {
+AnyText read_any_text(const fs::path& file) {
     AnyText read{.text = read_text(file)};
     std::string& text = read.text;
     const std::string_view bytes = text;
@@ -219,7 +213,7 @@ AnyText read_any_text(const std::filesystem::path& file) {
         text = from_windows(bytes);
     else
         read.marked = false;
-    if (text.find('\n') == std::string::npos) std::replace(text.begin(), text.end(), '\r', '\n');
+    if (text.find('\n') == std::string::npos) std::ranges::replace(text, '\r', '\n');
     return read;
 }
 

@@ -1,7 +1,8 @@
 // Tables for spreadsheets and learning platforms: RFC 4180.
 #pragma once
 
-#include <filesystem>
+#include "common/system/files.hpp"
+
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@ struct Csv {
         /// Nothing if the row is shorter.
         [[nodiscard]] std::string at(int column) const;
     };
-    std::filesystem::path file;
+    fs::path file;
     char separator = ',';
     bool marked = false;  ///< it begins with a byte order mark, as spreadsheets need it
     Row head;
@@ -37,7 +38,7 @@ inline constexpr const char* end_of_line = "\r\n";
 /// The separator is the comma, semicolon or tab that is most frequent in the first line outside of
 /// quotes, or that of Excel's own first line, "sep=;". A quote may follow blanks. Throws InputError
 /// if the file cannot be read, or a quote is not closed.
-[[nodiscard]] Csv read_csv(const std::filesystem::path& file);
+[[nodiscard]] Csv read_csv(const fs::path& file);
 
 /// The text with an apostrophe before it if a spreadsheet would evaluate it as a formula.
 [[nodiscard]] std::string no_formula(const std::string& text);
@@ -57,6 +58,6 @@ struct AnyText {
 
 /// Reads UTF-8, UTF-16 with a byte order mark, or else Windows' code page 1252. Throws InputError
 /// if the file cannot be read.
-[[nodiscard]] AnyText read_any_text(const std::filesystem::path& file);
+[[nodiscard]] AnyText read_any_text(const fs::path& file);
 
 }  // namespace rt::grade

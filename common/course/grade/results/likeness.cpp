@@ -2,7 +2,6 @@
 
 #include "common/course/grade/results/submissions.hpp"
 #include "common/course/grade/results/winnowing.hpp"
-#include "common/system/files.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +11,6 @@
 namespace rt::grade {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::uintmax_t largest_source = 256 * 1024;
 constexpr std::size_t fewest_passages = 8;   // about 40 tokens
@@ -44,8 +41,7 @@ Text read(const Mark& mark, GradedFile graded, const fs::path& file,
           const std::vector<std::uint64_t>& given) {
     Text text{.student = mark.student, .source = graded.is_trace ? mark.trace_source : mark.source};
     for (const std::uint64_t hash : fingerprints(without_fillers(normalized(source_text(file)))))
-        if (text.passages.size() < most_passages &&
-            !std::binary_search(given.begin(), given.end(), hash))
+        if (text.passages.size() < most_passages && !std::ranges::binary_search(given, hash))
             text.passages.push_back({.hash = hash});
     return text;
 }
@@ -71,7 +67,7 @@ std::vector<std::uint64_t> given_passages(const fs::path& project, GradedFile gr
         const std::vector<std::uint64_t> more = passages(normalized(read_text(file)));
         given.insert(given.end(), more.begin(), more.end());
     }
-    std::sort(given.begin(), given.end());
+    std::ranges::sort(given);
     return given;
 }
 
@@ -184,9 +180,7 @@ Similarity similarity(const fs::path& results, const fs::path& project,
             all.like_main.push_back(std::move(each));
     }
     for (auto& [names, near] : pairs) all.near.push_back(std::move(near));
-    std::stable_sort(all.near.begin(), all.near.end(), [](const auto& one, const auto& other) {
-        return strength(one) > strength(other);
-    });
+    std::ranges::stable_sort(all.near, std::greater(), strength);
     return all;
 }
 

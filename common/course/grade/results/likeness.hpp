@@ -3,6 +3,7 @@
 
 #include "common/course/grade/results/results.hpp"
 #include "common/stages/graded_file.hpp"
+#include "common/system/files.hpp"
 
 #include <map>
 #include <set>
@@ -12,7 +13,6 @@
 
 namespace rt::grade {
 
-/// Students with the same file.
 struct SameFile {
     GradedFile file;
     std::vector<std::string> students;
@@ -56,8 +56,7 @@ inline constexpr int near_percent = 60;
 /// Compares the files in results/students/<student>/submitted/, stage by stage. Passages of the
 /// project's starter, and of its main.cpp, do not count, and passages of many students count
 /// little. Files that are too short to compare are not reported.
-[[nodiscard]] Similarity similarity(const std::filesystem::path& results,
-                                    const std::filesystem::path& project,
+[[nodiscard]] Similarity similarity(const fs::path& results, const fs::path& project,
                                     const std::vector<Mark>& marks);
 
 }  // namespace rt::grade

@@ -5,14 +5,13 @@
 #include "common/course/grade/results/student_names.hpp"
 #include "common/stages/graded_file.hpp"
 #include "common/stages/stages.hpp"
-#include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/version.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 #include <fstream>
 #include <mutex>
 #include <set>
@@ -22,7 +21,6 @@ namespace rt::grade {
 
 namespace {
 
-namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;  // the same mark is the same bytes
 
 constexpr int format = 1;
@@ -63,7 +61,7 @@ Json to_json(const CaseMark& each) {
 }
 
 Verdict verdict(const std::string& name) {
-    const auto found = std::find(verdicts.begin(), verdicts.end(), name);
+    const auto found = std::ranges::find(verdicts, name);
     if (found == verdicts.end()) throw InputError({}, "no verdict: " + name);
     return Verdict(found - verdicts.begin());
 }
@@ -206,7 +204,7 @@ std::vector<std::string> students_in(const fs::path& results) {
     for (const fs::directory_entry& entry : fs::directory_iterator(results / students_folder, none))
         if (entry.is_directory(none) && !has_feedback_alone(entry.path()))
             names.push_back(entry.path().filename().string());
-    std::sort(names.begin(), names.end());
+    std::ranges::sort(names);
     return names;
 }
 
@@ -236,8 +234,6 @@ std::vector<std::string> missing_marks(const fs::path& results, const std::vecto
 
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr const char* columns_of_changes = "date,student,stage,before,after,why";
 
 /// The change of one of the files, by its hashes; empty if it is the same.
@@ -260,16 +256,6 @@ std::string why(const Mark& before, const Mark& after) {
 }
 
 }  // namespace
-
-std::string today() {
-    const char* given = std::getenv("SOURCE_DATE_EPOCH");
-    const std::time_t now = given == nullptr ? std::time(nullptr) : std::atoll(given);
-    std::tm day{};
-    char text[16];
-    if (localtime_r(&now, &day) == nullptr || std::strftime(text, sizeof text, "%F", &day) == 0)
-        return "";
-    return text;
-}
 
 void record_change(const fs::path& results, const Mark& before, const Mark& after) {
     if (before.points() == after.points()) return;
@@ -302,33 +288,26 @@ std::vector<std::string> changes_since(const fs::path& results, std::uintmax_t s
 
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr const char* classes_file = ".classes";
-
-std::vector<std::string> graded_classes(const fs::path& results) {
-    const fs::path file = results / classes_file;
-    return fs::exists(file) ? lines_of(read_text(file)) : std::vector<std::string>{};
-}
 
 std::string line_of(const fs::path& place, const std::string& student) {
     return sha256(fs::canonical(place).string()) + " " + student;
 }
 
 bool contains(const std::vector<std::string>& classes, const std::string& line) {
-    return std::find(classes.begin(), classes.end(), line) != classes.end();
+    return std::ranges::find(classes, line) != classes.end();
 }
 
 }  // namespace
 
 bool is_graded_at(const fs::path& results, const fs::path& place, const std::string& student) {
-    const std::vector<std::string> classes = graded_classes(results);
+    const std::vector<std::string> classes = lines_in(results / classes_file);
     return classes.empty() || contains(classes, line_of(place, student));
 }
 
 void add_graded_class(const fs::path& results, const fs::path& place,
                       const std::vector<std::string>& students) {
-    const std::vector<std::string> classes = graded_classes(results);
+    const std::vector<std::string> classes = lines_in(results / classes_file);
     std::string added;
     for (const std::string& each : students)
         if (const std::string line = line_of(place, each); !contains(classes, line))

@@ -1,9 +1,10 @@
 // The stored results of a submission: one file of JSON lines per stage.
 #pragma once
 
+#include "common/system/files.hpp"
+
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -81,68 +82,61 @@ inline constexpr std::array report_files = {"grades.csv", "class.html",   "junit
 
 /// Throws InputError if the results would replace files of the lecturer's, or lie among the
 /// submissions as one of them.
-void check_results_folder(const std::filesystem::path& results,
-                          const std::vector<std::filesystem::path>& submissions);
+void check_results_folder(const fs::path& results, const std::vector<fs::path>& submissions);
 
 /// "results/students/anna". A student's name never equals the name of one of the grader's files.
 /// Throws InputError if no folder can have this name.
-[[nodiscard]] std::filesystem::path student_folder(const std::filesystem::path& results,
-                                                   const std::string& student);
+[[nodiscard]] fs::path student_folder(const fs::path& results, const std::string& student);
 
 /// "results/students/anna/step05_triangle.jsonl"
-[[nodiscard]] std::filesystem::path mark_file(const std::filesystem::path& results,
-                                              const std::string& student, int stage);
+[[nodiscard]] fs::path mark_file(const fs::path& results, const std::string& student, int stage);
 
 /// Writes the mark whole, or not at all; before that, adds a line to the changes if it replaces
 /// another number of points. Throws InputError.
-void write_mark(const std::filesystem::path& results, const Mark& mark);
+void write_mark(const fs::path& results, const Mark& mark);
 
 /// Returns nothing if the file does not exist, or is not a complete mark.
-[[nodiscard]] std::optional<Mark> read_mark(const std::filesystem::path& results,
-                                            const std::string& student, int stage);
+[[nodiscard]] std::optional<Mark> read_mark(const fs::path& results, const std::string& student,
+                                            int stage);
 
 /// The students who have a folder of marks: a folder with a feedback page alone belongs to a
 /// student with another one's submission.
-[[nodiscard]] std::vector<std::string> students_in(const std::filesystem::path& results);
+[[nodiscard]] std::vector<std::string> students_in(const fs::path& results);
 
 /// Removes these pages; the next reports write them again. Throws filesystem_error.
-void remove_shared_feedback(const std::filesystem::path& results);
+void remove_shared_feedback(const fs::path& results);
 
 /// All marks in the folder, by student and stage.
-[[nodiscard]] std::vector<Mark> read_marks(const std::filesystem::path& results);
+[[nodiscard]] std::vector<Mark> read_marks(const fs::path& results);
 
 /// One sentence for each missing or postponed mark, "anna has no mark for step05_triangle": of each
 /// student of the folder, and each stage for which others have a mark. Grading was interrupted, or
 /// goes on, or has failed, or a file is damaged.
-[[nodiscard]] std::vector<std::string> missing_marks(const std::filesystem::path& results,
+[[nodiscard]] std::vector<std::string> missing_marks(const fs::path& results,
                                                      const std::vector<Mark>& marks);
 
 // The changes of marks by later runs, for the lecturer who answers for them.
 
-/// The date; from SOURCE_DATE_EPOCH (reproducible builds) if two runs must have equal bytes.
-[[nodiscard]] std::string today();
-
 /// Appends a line to results/changes.csv if the points differ: the date, the student, the stage,
 /// the points before and after, and the reason. Other runs may append at the same time. Throws
 /// InputError.
-void record_change(const std::filesystem::path& results, const Mark& before, const Mark& after);
+void record_change(const fs::path& results, const Mark& before, const Mark& after);
 
 /// The number of bytes of that file; 0 without it.
-[[nodiscard]] std::uintmax_t size_of_changes(const std::filesystem::path& results);
+[[nodiscard]] std::uintmax_t size_of_changes(const fs::path& results);
 
 /// Its lines from that byte on.
-[[nodiscard]] std::vector<std::string> changes_since(const std::filesystem::path& results,
-                                                     std::uintmax_t size);
+[[nodiscard]] std::vector<std::string> changes_since(const fs::path& results, std::uintmax_t size);
 
 // The classes that a folder of results is about: places, and the students who were there.
 
 /// True if an earlier run has graded the student at this place, or if no run has had a class.
-[[nodiscard]] bool is_graded_at(const std::filesystem::path& results,
-                                const std::filesystem::path& place, const std::string& student);
+[[nodiscard]] bool is_graded_at(const fs::path& results, const fs::path& place,
+                                const std::string& student);
 
 /// Adds the students of a place to results/.classes. The place is a hash: results contain no names
 /// of the machine's folders. Throws InputError.
-void add_graded_class(const std::filesystem::path& results, const std::filesystem::path& place,
+void add_graded_class(const fs::path& results, const fs::path& place,
                       const std::vector<std::string>& students);
 
 }  // namespace rt::grade

@@ -32,7 +32,7 @@ const Worksheet* worksheet_of(const Csv& csv) {
     const auto fits = [&](const Worksheet& each) {
         return csv.column({each.student}) != -1 && csv.column({each.grade, each.name}) != -1;
     };
-    const auto found = std::find_if(worksheets.begin(), worksheets.end(), fits);
+    const auto found = std::ranges::find_if(worksheets, fits);
     return found == worksheets.end() ? nullptr : &*found;
 }
 
@@ -171,16 +171,15 @@ private:
 }  // namespace
 
 std::string Roster::name_in(const Csv::Row& row) const {
-    std::string all;
-    for (const int column : name) all += (all.empty() ? "" : " ") + trimmed(row.at(column));
-    return trimmed(all);
+    return trimmed(joined(
+        name, [&](int column) { return trimmed(row.at(column)); }, " "));
 }
 
 bool Roster::is_maximum_row(const Csv::Row& row) const {
     if (!of_canvas || !trimmed(row.at(student)).empty()) return false;
     return lower_case(trimmed(row.at(0))).starts_with("points possible") ||
-           std::any_of(row.cells.begin(), row.cells.end(),
-                       [](const std::string& each) { return number_of(each).has_value(); });
+           std::ranges::any_of(row.cells,
+                               [](const std::string& each) { return number_of(each).has_value(); });
 }
 
 std::optional<double> Roster::maximum_of(const Csv::Row& row) const {
@@ -233,8 +232,7 @@ void find_students(Roster& roster, const StudentNames& names, const Students& su
         return roster.group != -1 && !names.named(row.at(roster.group)).empty();
     };
     const auto& rows = roster.csv.rows;
-    if (submitted.empty() || finding.matched() > 0 ||
-        std::any_of(rows.begin(), rows.end(), is_of_group))
+    if (submitted.empty() || finding.matched() > 0 || std::ranges::any_of(rows, is_of_group))
         return;
     const InputError error({roster.csv.file.string()},
                            "no line of it is one of the submissions, such as " +
@@ -247,7 +245,7 @@ void find_students(Roster& roster, const StudentNames& names, const Students& su
 
 std::optional<double> number_of(std::string text) {
     text = trimmed(text);
-    std::replace(text.begin(), text.end(), ',', '.');
+    std::ranges::replace(text, ',', '.');
     double value = 0;
     const char* end = text.data() + text.size();
     const auto [rest, error] = std::from_chars(text.data(), end, value);

@@ -4,7 +4,6 @@
 #include "common/course/grade/results/csv.hpp"
 #include "common/course/grade/results/student_names.hpp"
 
-#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>

@@ -1,10 +1,11 @@
 #include "common/course/grade/results/sha256.hpp"
 
+#include "common/system/text.hpp"
+
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 
 namespace rt::grade {
 
@@ -68,13 +69,8 @@ std::string sha256(std::string_view text) {
                 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
     for (std::size_t i = 0; i < whole; i += block_size) state = after(state, text.data() + i);
     for (std::size_t i = 0; i < rest.size(); i += block_size) state = after(state, rest.data() + i);
-    std::string digits;
-    for (const std::uint32_t word : state) {
-        std::array<char, 9> eight{};
-        std::snprintf(eight.data(), eight.size(), "%08x", word);
-        digits += eight.data();
-    }
-    return digits;
+    return joined(
+        state, [](std::uint32_t word) { return formatted("%08x", word); }, "");
 }
 
 }  // namespace rt::grade

@@ -16,12 +16,6 @@ Students found(const std::map<std::string, Students>& all, const std::string& ke
 
 }  // namespace
 
-std::string trimmed(const std::string& text) {
-    const std::size_t first = text.find_first_not_of(" \t\r");
-    if (first == std::string::npos) return "";
-    return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
-}
-
 std::string folded(const std::string& name) {
     const std::unique_ptr<utf8proc_uint8_t, decltype(&std::free)> small(
         utf8proc_NFKC_Casefold(reinterpret_cast<const utf8proc_uint8_t*>(trimmed(name).c_str())),
@@ -45,9 +39,8 @@ std::optional<std::string> only(const Students& matches, const std::string& name
                                 const FileLocation& place) {
     if (matches.empty()) return std::nullopt;
     if (matches.size() == 1) return *matches.begin();
-    std::string all;
-    for (const std::string& student : matches) all += (all.empty() ? "" : ", ") + student;
-    throw InputError(place, "\"" + name + "\" may be " + all + ": write one of these names");
+    throw InputError(place,
+                     "\"" + name + "\" may be " + joined(matches) + ": write one of these names");
 }
 
 StudentNames::StudentNames(const Students& students) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/system/input_error.hpp"
+#include "common/system/text.hpp"
 
 #include <map>
 #include <optional>
@@ -11,9 +12,6 @@
 namespace rt::grade {
 
 using Students = std::set<std::string>;
-
-/// The text without blanks at its ends.
-[[nodiscard]] std::string trimmed(const std::string& text);
 
 /// Letters and digits, as plain_name leaves them: "Zoe Doe" is "zoe_doe". Without case, and an
 /// accent is part of its letter, however it is encoded: "ZOÉ" and "Zoe" + U+0301 are "zoé".

@@ -1,11 +1,10 @@
 #include "common/course/grade/results/submissions.hpp"
 
 #include "common/stages/stages.hpp"
-
+#include "common/system/text.hpp"
 #include "common/system/translation.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <set>
 
 namespace rt::grade {
@@ -147,7 +146,7 @@ double most_points(const std::map<int, int>& stages, const Term& term) {
 
 std::string stage_title(int stage) {
     std::string title = topic_of(stage);
-    std::replace(title.begin(), title.end(), '_', ' ');
+    std::ranges::replace(title, '_', ' ');
     return std::to_string(stage) + " " + tr(title);
 }
 
@@ -161,9 +160,7 @@ std::string points_text(double points) {
 }
 
 std::string number(double value) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.2f", value);
-    std::string digits = text;
+    std::string digits = formatted("%.2f", value);
     while (digits.back() == '0') digits.pop_back();
     if (digits.back() == '.') digits.pop_back();
     return digits == "-0" ? "0" : digits;

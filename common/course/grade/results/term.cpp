@@ -5,20 +5,16 @@
 #include "common/course/grade/results/roster.hpp"
 #include "common/course/grade/results/submissions.hpp"
 #include "common/stages/stages.hpp"
-#include "common/system/files.hpp"
 #include "common/system/hash.hpp"
 #include "common/system/text.hpp"
 #include "common/system/translation.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 namespace rt::grade {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double most_points_by_hand = 1e6;
 
@@ -115,15 +111,12 @@ private:
         for (const std::string& each : members)
             (submitted_.count(each) == 1 ? sources : without).insert(each);
         if (sources.empty()) return;
-        const std::string source = *std::max_element(
-            sources.begin(), sources.end(),
-            [&](const auto& one, const auto& other) { return points_of(one) < points_of(other); });
+        const std::string source = *std::ranges::max_element(
+            sources, {}, [&](const std::string& each) { return points_of(each); });
         for (const std::string& each : without) term_.shared[each] = {source, group};
         if (sources.size() == 1) return;
-        std::string all;
-        for (const std::string& each : sources) all += (all.empty() ? "" : ", ") + each;
         term_.notes.push_back(
-            "group \"" + group + "\" has several submissions, of " + all +
+            "group \"" + group + "\" has several submissions, of " + joined(sources) +
             ": each counts for its own student" +
             (without.empty() ? "" : ", and that of " + source + " for the others"));
     }
@@ -245,10 +238,8 @@ bool Term::is_excused(const std::string& student, int stage) const {
 
 std::string Term::called(const std::string& student) const {
     if (!anonymous) return student;
-    char text[16];
-    std::snprintf(text, sizeof text, "s-%08x",
-                  unsigned(keyed_hash({key, 0x616e6f6e796d6f75u}, student) & 0xffffffffu));
-    return text;
+    return formatted("s-%08x",
+                     unsigned(keyed_hash({key, 0x616e6f6e796d6f75u}, student) & 0xffffffffu));
 }
 
 Term read_term(const fs::path& results, const std::vector<Mark>& marks, const Students& others) {
@@ -260,8 +251,6 @@ Term read_term(const fs::path& results, const std::vector<Mark>& marks, const St
 }
 
 namespace {
-
-namespace fs = std::filesystem;
 
 // All but "weight" and "bonus", which may be repeated.
 constexpr std::array once = {"roster",       "student", "name",      "group",        "grade",
@@ -284,7 +273,7 @@ void read_line(Settings& settings, const std::string& line, const FileLocation& 
     const std::string word = lower_case(trimmed(line.substr(0, colon)));
     const std::string value = colon == std::string::npos ? "" : trimmed(line.substr(colon + 1));
     if (value.empty()) throw InputError(place, "\"" + line + "\" is not \"word: value\"");
-    const bool is_known = std::find(once.begin(), once.end(), word) != once.end();
+    const bool is_known = std::ranges::find(once, word) != once.end();
     if (word == "weight")
         read_weight(settings, value, place);
     else if (word == "bonus")

@@ -5,10 +5,10 @@
 #include "common/course/grade/results/csv.hpp"
 #include "common/course/grade/results/results.hpp"
 #include "common/course/grade/results/roster.hpp"
+#include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -59,7 +59,7 @@ struct Term {
 /// Reads results/term.txt and the files that it names; returns a term without settings if it does
 /// not exist. A student is identified by the name in the results, or by the number or name on the
 /// roster. `others` have a submission without marks yet. Throws InputError.
-[[nodiscard]] Term read_term(const std::filesystem::path& results, const std::vector<Mark>& marks,
+[[nodiscard]] Term read_term(const fs::path& results, const std::vector<Mark>& marks,
                              const Students& others = {});
 
 // The lines "word: value" of a lecturer's term.txt.
@@ -69,7 +69,7 @@ struct Settings {
         std::string value;
         int line = 0;
     };
-    std::filesystem::path file;
+    fs::path file;
     std::map<std::string, Word> words;  ///< all that may be there once
     std::map<int, double> weights;      ///< by stage
     std::map<int, bool> bonus;
@@ -85,7 +85,7 @@ struct Settings {
 };
 
 /// Throws InputError with the line.
-[[nodiscard]] Settings read_settings(const std::filesystem::path& file);
+[[nodiscard]] Settings read_settings(const fs::path& file);
 
 /// Throws InputError for other text.
 [[nodiscard]] double read_number(const std::string& text, const FileLocation& place, double least,

@@ -109,7 +109,7 @@ std::vector<std::uint64_t> hashes(const std::string& tokens) {
 }
 
 std::vector<std::uint64_t> each_once(std::vector<std::uint64_t> all) {
-    std::sort(all.begin(), all.end());
+    std::ranges::sort(all);
     all.erase(std::unique(all.begin(), all.end()), all.end());
     return all;
 }

@@ -117,8 +117,8 @@ std::vector<Layer> layers() {
 }
 
 bool hold(const std::vector<Layer>& layers) {
-    return std::all_of(layers.begin(), layers.end(),
-                       [](const Layer& layer) { return layer.holds || !layer.needed; });
+    return std::ranges::all_of(layers,
+                               [](const Layer& layer) { return layer.holds || !layer.needed; });
 }
 
 namespace {

@@ -102,7 +102,7 @@ void hide_folders(const Sandbox& seal, const std::string& program) {
         const auto is_inside = [start = folder + "/"](const std::string& file) {
             return (file + "/").starts_with(start);
         };
-        if (std::none_of(needed.begin(), needed.end(), is_inside))
+        if (std::ranges::none_of(needed, is_inside))
             (void)mount("none", folder.c_str(), "tmpfs", MS_RDONLY | MS_NOSUID | MS_NODEV,
                         "size=4k");  // if it is there
     }

@@ -1,6 +1,7 @@
 #include "common/course/grade/sandbox/source_names.hpp"
 
 #include "common/stages/graded_file.hpp"
+#include "common/system/suggestion.hpp"
 #include "common/system/text.hpp"
 
 #include <algorithm>
@@ -65,27 +66,9 @@ std::string bare(const std::string& stem) {
     return name;
 }
 
-/// The number of letters to be changed, removed, inserted, or swapped with the next.
-std::size_t distance(const std::string& one, const std::string& other) {
-    std::vector<std::vector<std::size_t>> least(one.size() + 1,
-                                                std::vector<std::size_t>(other.size() + 1));
-    for (std::size_t i = 0; i <= one.size(); ++i)
-        for (std::size_t j = 0; j <= other.size(); ++j) {
-            if (i == 0 || j == 0) {
-                least[i][j] = i + j;
-                continue;
-            }
-            least[i][j] = std::min({least[i - 1][j] + 1, least[i][j - 1] + 1,
-                                    least[i - 1][j - 1] + (one[i - 1] == other[j - 1] ? 0 : 1)});
-            if (i > 1 && j > 1 && one[i - 1] == other[j - 2] && one[i - 2] == other[j - 1])
-                least[i][j] = std::min(least[i][j], least[i - 2][j - 2] + 1);
-        }
-    return least[one.size()][other.size()];
-}
-
 bool is_slip(const std::string& name, const std::string& stem) {
     constexpr std::size_t longest = 40;
-    return name.size() < longest && distance(name, stem) <= (stem.size() < 6 ? 1 : 2);
+    return name.size() < longest && edits(name, stem) <= (stem.size() < 6 ? 1 : 2);
 }
 
 /// The stage of "step03_main.cpp"; 0 without a number.
@@ -192,8 +175,7 @@ std::string without_archive_ending(std::string name) {
 bool is_litter(const std::string& file_name) {
     constexpr std::array<std::string_view, 7> litter = {
         "__MACOSX", ".git", ".DS_Store", "Thumbs.db", "desktop.ini", ".svn", ".hg"};
-    return file_name.starts_with("._") ||
-           std::find(litter.begin(), litter.end(), file_name) != litter.end();
+    return file_name.starts_with("._") || std::ranges::find(litter, file_name) != litter.end();
 }
 
 }  // namespace rt::grade

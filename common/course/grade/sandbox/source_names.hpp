@@ -44,7 +44,6 @@ struct Labeled {
 /// True if the name has the extension of an archive, supported or not.
 [[nodiscard]] bool is_archive(const std::string& file_name);
 
-/// The name without the extension of an archive.
 [[nodiscard]] std::string without_archive_ending(std::string name);
 
 /// Files that systems add to folders and archives: .git, __MACOSX, "._x".
