@@ -31,7 +31,6 @@ struct PrimitiveRange {
     [[nodiscard]] std::size_t size() const { return end - begin; }
 };
 
-/// Half the surface area of the box.
 [[nodiscard]] float half_area(const Box4& box);
 
 /// The sequence of boxes. A split changes the order only inside its range.

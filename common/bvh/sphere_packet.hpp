@@ -91,7 +91,6 @@ public:
 
     [[nodiscard]] bool empty() const { return packets_.empty(); }
 
-    /// The i-th bounding sphere.
     [[nodiscard]] BoundingSphere operator[](std::size_t i) const {
         const auto& [center, radius_squared] = packets_[i / lane_count];
         const std::size_t lane = i % lane_count;

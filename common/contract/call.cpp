@@ -1,6 +1,7 @@
 #include "common/contract/call.hpp"
 
 #include "common/contract/contracts.hpp"
+#include "common/system/text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -85,10 +86,8 @@ Call call_of(std::string_view question) {
 }
 
 std::string code(const Call& call) {
-    std::string text;
-    for (const Value& argument : call.arguments)
-        text += (text.empty() ? "" : ", ") + code(argument);
-    return call.callee->name + "(" + text + ")";
+    const auto text = [](const Value& argument) { return code(argument); };
+    return call.callee->name + "(" + joined(call.arguments, text) + ")";
 }
 
 Call read_call(int stage, std::string_view text) {

@@ -9,7 +9,6 @@
 #include "common/render/context.hpp"
 #include "common/render/surface.hpp"
 #include "common/scene/scene.hpp"
-
 #include "steps/step10_shadows/shadows.hpp"
 #include "steps/step11_soft_shadows/soft_shadows.hpp"
 

@@ -1,7 +1,6 @@
 #include "common/contract/light_points.hpp"
 
 #include "common/render/sampling.hpp"
-
 #include "steps/step11_soft_shadows/soft_shadows.hpp"
 
 namespace rt {

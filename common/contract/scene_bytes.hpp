@@ -3,7 +3,6 @@
 #pragma once
 
 #include "common/contract/bytes.hpp"
-
 #include "common/geometry/bounds.hpp"
 
 namespace rt::contract {

@@ -5,8 +5,10 @@
 #include "common/scene/scene.hpp"
 #include "common/system/text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace rt::contract {
 
@@ -53,9 +55,8 @@ Size size_of(const Value& value, const Ray& ray) {
 Vec3 own_direction(const Value& shape, Vec3 along) {
     std::vector<Vec3> tried;
     for (const char* const name : {"axis", "normal"}) tried.push_back(part3(shape, name));
-    if (const Value* const basis = find(shape, "basis")) {
+    if (const Value* const basis = find(shape, "basis"))
         for (const Value& axis : basis->parts) tried.push_back(vec3(axis));
-    }
     tried.insert(tried.end(),
                  {part3(shape, "b") - part3(shape, "a"), {0, 1, 0}, {1, 0, 0}, {0, 0, 1}});
     for (const Vec3& v : tried) {
@@ -148,16 +149,13 @@ private:
             if (t &&
                 std::abs(*t) * length(ray_.direction) < 20 * (reach + length(middle - ray_.origin)))
                 shown.push_back(at(ray_, *t));
-        Real left = infinity;
-        Real right = -infinity;
-        Real low = infinity;
-        Real high = -infinity;
-        for (const Vec3& p : shown) {
-            left = std::min(left, dot(p, view_.right));
-            right = std::max(right, dot(p, view_.right));
-            low = std::min(low, dot(p, view_.up));
-            high = std::max(high, dot(p, view_.up));
-        }
+        const auto range = [&shown](Vec3 axis) {
+            const auto along = [axis](Vec3 p) { return dot(p, axis); };
+            const auto [least, most] = std::ranges::minmax(shown, {}, along);
+            return std::pair(along(least), along(most));
+        };
+        const auto [left, right] = range(view_.right);
+        const auto [low, high] = range(view_.up);
         const Vec3 normal = cross(view_.right, view_.up);
         view_.center = (left + right) / 2 * view_.right + (low + high) / 2 * view_.up +
                        dot(ray_.origin, normal) * normal;

@@ -2,6 +2,7 @@
 
 #include "common/explain/text.hpp"
 #include "common/system/parse_floating.hpp"
+#include "common/system/text.hpp"
 
 #include <cmath>
 
@@ -19,11 +20,8 @@ std::string number_code(const Value& value, int digits) {
     if (value.type->kind == Kind::truth) return value.number != 0 ? "true" : "false";
     if (value.type->kind == Kind::integer) return std::to_string(std::int64_t(value.number));
     Real number = Real(value.number);
-    if (digits > 0 && std::isfinite(number)) {
-        std::array<char, 32> buffer{};
-        std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, double(number));
-        number = Real(std::strtod(buffer.data(), nullptr));
-    }
+    if (digits > 0 && std::isfinite(number))
+        number = Real(std::strtod(formatted("%.*g", digits, double(number)).c_str(), nullptr));
     return rt::code(number);
 }
 

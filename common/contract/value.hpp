@@ -101,7 +101,6 @@ void for_each_number(SomeValue& value, Visit visit) {
     for (auto& part : value.parts) for_each_number(part, visit);
 }
 
-/// The value with 0 for each −0.
 [[nodiscard]] Value without_signed_zeros(Value value);
 
 /// The part with this name; null if there is none.

@@ -70,10 +70,6 @@ template <class T>
     return {T(v.x), T(v.y), T(v.z)};
 }
 
-}  // namespace rt
-
-namespace rt {
-
 [[nodiscard]] inline DoubleDouble two_words(const DoubleDouble& number) {
     return number;
 }
@@ -94,9 +90,6 @@ namespace rt {
     return *first * *larger;
 }
 
-}  // namespace rt
-
-namespace rt {
 inline namespace RT_PRECISION {
 
 /// (rational + surd √radicand) / denominator, which is positive; surd is -1, 0 or 1.
@@ -243,9 +236,6 @@ struct InUnits {
 };
 
 }  // namespace RT_PRECISION
-}  // namespace rt
-
-namespace rt {
 
 /// The t of the first hit of a shape, rounded. Nothing if there is none, or if a number is infinite
 /// or NaN.

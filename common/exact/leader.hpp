@@ -53,17 +53,11 @@ private:
 };
 
 }  // namespace RT_PRECISION
-}  // namespace rt
-
-namespace rt {
 
 /// The exact root of the hit on the mesh's triangle of that index.
 [[nodiscard]] std::optional<ExactRoot> exact_root(const Ray& ray, const MeshInstance& instance,
                                                   std::uint32_t triangle, Interval interval);
 
-}  // namespace rt
-
-namespace rt {
 inline namespace RT_PRECISION {
 
 /// A primitive of a scene that was hit. For boxes no exact root is available.
@@ -78,7 +72,6 @@ struct HitItem {
     }
 };
 
-/// The closest primitive of a scene.
 class ClosestPrimitive {
 public:
     /// The t of the closest hit, before the end of the interval of the query.

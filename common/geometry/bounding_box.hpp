@@ -14,9 +14,6 @@ struct BoundingBox {
 };
 
 }  // namespace RT_PRECISION
-}  // namespace rt
-
-namespace rt {
 
 /// The largest absolute value of a coordinate in the box.
 [[nodiscard]] inline Real largest_component(const BoundingBox& box) {

@@ -23,9 +23,6 @@ struct Cone {
 };
 
 }  // namespace RT_PRECISION
-}  // namespace rt
-
-namespace rt {
 
 template <>
 inline constexpr auto shape_record<Cone> = record_of("Cone", field("apex", &Cone::apex),
@@ -85,7 +82,6 @@ inline constexpr auto shape_record<Cone> = record_of("Cone", field("apex", &Cone
     return cone.apex + std::sqrt(place.y) * to_rim;
 }
 
-/// The distance from the point to the surface.
 [[nodiscard]] inline Real distance_to_surface(Vec3 point, const Cone& cone) {
     const geometry::Meridian at = geometry::meridian(point - cone.apex, cone.axis);
     return geometry::distance_to_segment(Vec3(at.across, at.along, 0), Vec3(0),

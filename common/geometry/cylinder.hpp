@@ -23,9 +23,6 @@ struct Cylinder {
 };
 
 }  // namespace RT_PRECISION
-}  // namespace rt
-
-namespace rt {
 
 template <>
 inline constexpr auto shape_record<Cylinder> = record_of("Cylinder",
@@ -76,7 +73,6 @@ inline constexpr auto shape_record<Cylinder> = record_of("Cylinder",
            cylinder.radius * geometry::perpendicular(cylinder.axis, place.x);
 }
 
-/// The distance from the point to the surface.
 [[nodiscard]] inline Real distance_to_surface(Vec3 point, const Cylinder& cylinder) {
     const geometry::Meridian at = geometry::meridian(point - cylinder.center, cylinder.axis);
     return std::hypot(at.across - cylinder.radius,

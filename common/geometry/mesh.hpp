@@ -18,7 +18,6 @@ struct Mesh {
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// The hit of a ray on a mesh.
 struct MeshHit {
     Real t = 0;
     std::uint32_t triangle = 0;

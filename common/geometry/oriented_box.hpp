@@ -21,9 +21,6 @@ struct OrientedBox {
 };
 
 }  // namespace RT_PRECISION
-}  // namespace rt
-
-namespace rt {
 
 template <>
 inline constexpr auto shape_record<OrientedBox> =
@@ -85,7 +82,6 @@ inline constexpr auto shape_record<OrientedBox> =
     return box.center + in_box.x * x + in_box.y * y + in_box.z * z;
 }
 
-/// The distance from the point to the surface.
 [[nodiscard]] inline Real distance_to_surface(Vec3 point, const OrientedBox& box) {
     const Vec3 from_center = point - box.center;
     const auto& [x, y, z] = box.basis;

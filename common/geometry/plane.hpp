@@ -18,9 +18,6 @@ struct Plane {
 };
 
 }  // namespace RT_PRECISION
-}  // namespace rt
-
-namespace rt {
 
 template <>
 inline constexpr auto shape_record<Plane> = record_of("Plane", field("point", &Plane::point),
@@ -38,7 +35,6 @@ inline constexpr auto shape_record<Plane> = record_of("Plane", field("point", &P
                              largest_component(plane.point));
 }
 
-/// The distance from the point to the surface.
 [[nodiscard]] inline Real distance_to_surface(Vec3 point, const Plane& plane) {
     return std::abs(dot(point - plane.point, unit(plane.normal)));
 }

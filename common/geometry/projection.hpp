@@ -22,9 +22,6 @@ struct PointWithError {
 };
 
 }  // namespace RT_PRECISION
-}  // namespace rt
-
-namespace rt {
 
 /// The error bound of a projected point, if no coordinate in its computation is larger than
 /// `largest`.

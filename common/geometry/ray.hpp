@@ -24,9 +24,6 @@ struct Interval {
 };
 
 }  // namespace RT_PRECISION
-}  // namespace rt
-
-namespace rt {
 
 /// The point of the ray at t.
 [[nodiscard]] inline Vec3 at(const Ray& ray, Real t) {

@@ -76,7 +76,6 @@ namespace rt::geometry {
     return {.across = length(cross(from_center, axis)), .along = dot(from_center, axis)};
 }
 
-/// The distance from the point to the segment from a to b.
 [[nodiscard]] inline Real distance_to_segment(Vec3 point, Vec3 a, Vec3 b) {
     const Vec3 ab = b - a;
     const Real square = dot(ab, ab);

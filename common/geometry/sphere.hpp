@@ -19,9 +19,6 @@ struct Sphere {
 };
 
 }  // namespace RT_PRECISION
-}  // namespace rt
-
-namespace rt {
 
 template <>
 inline constexpr auto shape_record<Sphere> = record_of("Sphere", field("center", &Sphere::center),
@@ -65,7 +62,6 @@ inline constexpr auto shape_record<Sphere> = record_of("Sphere", field("center",
            sphere.radius * Vec3(across * std::cos(angle), across * std::sin(angle), z);
 }
 
-/// The distance from the point to the surface.
 [[nodiscard]] inline Real distance_to_surface(Vec3 point, const Sphere& sphere) {
     return std::abs(length(point - sphere.center) - sphere.radius);
 }

@@ -22,9 +22,6 @@ struct Square {
 };
 
 }  // namespace RT_PRECISION
-}  // namespace rt
-
-namespace rt {
 
 template <>
 inline constexpr auto shape_record<Square> = record_of("Square", field("center", &Square::center),
@@ -70,7 +67,6 @@ inline constexpr auto shape_record<Square> = record_of("Square", field("center",
            square.side * (from_middle.x * square.basis.x + from_middle.y * square.basis.y);
 }
 
-/// The distance from the point to the surface.
 [[nodiscard]] inline Real distance_to_surface(Vec3 point, const Square& square) {
     const Vec3 from_center = point - square.center;
     const auto beyond = [&](Vec3 axis) {

@@ -20,9 +20,6 @@ struct Transform {
 };
 
 }  // namespace RT_PRECISION
-}  // namespace rt
-
-namespace rt {
 
 /// Returns whether the rotation is a reflection, as in a scene whose axes are left-handed: a
 /// triangle that was counterclockwise is clockwise then.
@@ -44,7 +41,6 @@ namespace rt {
             .z = rotated(basis.z, transform)};
 }
 
-/// The point transformed.
 [[nodiscard]] inline Vec3 transformed(Vec3 point, const Transform& transform) {
     return transform.scale * rotated(point, transform) + transform.translation;
 }

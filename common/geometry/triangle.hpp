@@ -23,9 +23,6 @@ struct Triangle {
 };
 
 }  // namespace RT_PRECISION
-}  // namespace rt
-
-namespace rt {
 
 template <>
 inline constexpr auto shape_record<Triangle> = record_of("Triangle", field("a", &Triangle::a),
@@ -81,7 +78,6 @@ inline constexpr auto shape_record<Triangle> = record_of("Triangle", field("a", 
     return a + place.x * (b - a) + place.y * (c - a);
 }
 
-/// The distance from the point to the surface.
 [[nodiscard]] inline Real distance_to_surface(Vec3 point, const Triangle& triangle) {
     const auto& [a, b, c] = triangle;
     const Vec3 n = cross(b - a, c - a);

@@ -18,9 +18,6 @@ struct Rounded {
 };
 
 }  // namespace RT_PRECISION
-}  // namespace rt
-
-namespace rt {
 
 /// a + b without error (Knuth 1969, TwoSum).
 [[nodiscard]] inline Rounded exact_sum(Real a, Real b) {

@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <system_error>
-#include <utility>
 
 namespace rt {
 
@@ -38,7 +37,7 @@ void require_size(std::uintmax_t size, const std::string& file) {
 }
 
 bool has_area(const MeshFile& mesh) {
-    return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&mesh](const auto& corners) {
+    return std::ranges::any_of(mesh.triangles, [&mesh](const auto& corners) {
         const glm::dvec3 a = mesh.vertices[corners[0]];
         const glm::dvec3 b = mesh.vertices[corners[1]];
         const glm::dvec3 c = mesh.vertices[corners[2]];

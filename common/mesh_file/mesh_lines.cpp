@@ -51,11 +51,7 @@ void blank_byte_order_mark(std::string& content) {
 
 void plain_text(std::string& content) {
     blank_byte_order_mark(content);
-    for (const char odd : {'\v', '\f'}) {
-        for (auto at = content.find(odd); at != std::string::npos; at = content.find(odd, at)) {
-            content[at] = ' ';
-        }
-    }
+    for (const char odd : {'\v', '\f'}) std::ranges::replace(content, odd, ' ');
     if (content.find('\n') == std::string::npos) std::ranges::replace(content, '\r', '\n');
 }
 

@@ -55,7 +55,6 @@ private:
 /// Removes the next word from the line and returns it; empty if there is none.
 [[nodiscard]] std::string_view take_word(std::string_view& line);
 
-/// The number of words in the line.
 [[nodiscard]] std::size_t count_words(std::string_view line);
 
 /// Parses the whole word as an integer, which may begin with '+'; nothing if it is not one of 64

@@ -29,11 +29,9 @@ constexpr std::array<PlyType, 16> types = {{{"char", 1},
 
 PlyType take_type(std::string_view& line, const MeshLines& lines) {
     const std::string_view word = take_word(line);
-    const auto type = std::find_if(types.begin(), types.end(),
-                                   [=](const PlyType& known) { return known.name == word; });
-    if (type == types.end()) {
+    const auto type = std::ranges::find(types, word, &PlyType::name);
+    if (type == types.end())
         lines.refuse("expected the type of a property, such as float, not " + quoted(word));
-    }
     return *type;
 }
 
@@ -55,9 +53,7 @@ PlyElement take_element(std::string_view line, const MeshLines& lines) {
     PlyElement element = {.name = std::string(take_word(line)), .line = lines.number()};
     const std::string_view word = take_word(line);
     const auto count = whole_number(word);
-    if (!count || *count < 0) {
-        lines.refuse("expected the number of elements, not " + quoted(word));
-    }
+    if (!count || *count < 0) lines.refuse("expected the number of elements, not " + quoted(word));
     element.count = static_cast<std::uint64_t>(*count);
     return element;
 }
@@ -66,9 +62,8 @@ PlyElement take_element(std::string_view line, const MeshLines& lines) {
 
 PlyHeader take_ply_header(MeshLines& lines) {
     std::string_view rest = lines.next().value_or("");
-    if (const auto word = take_word(rest); word != "ply" && word != "PLY") {
+    if (const auto word = take_word(rest); word != "ply" && word != "PLY")
         lines.refuse("expected ply, not " + quoted(word));
-    }
     PlyHeader header;
     while (const auto line = lines.next()) {
         rest = *line;
@@ -132,6 +127,12 @@ void check_corners(const PlyElement& face, const std::string& file) {
 
 }  // namespace
 
+std::string items_of(const PlyElement& element) {
+    if (element.name == "vertex") return "vertices";
+    if (element.name == "face") return "faces";
+    return "items of " + rt::quoted(element.name);
+}
+
 void name_corners(PlyHeader& header, MeshBuilder& builder) {
     for (PlyElement& element : header.elements) {
         if (!has_faces(element) || std::ranges::any_of(element.properties, is_corners)) continue;
@@ -156,10 +157,9 @@ void check_ply_header(const PlyHeader& header, const std::string& file) {
     }
     const auto& elements = header.elements;
     const auto vertices = std::ranges::count(elements, "vertex", &PlyElement::name);
-    if (vertices != 1) {
+    if (vertices != 1)
         throw InputError({file},
                          "has " + std::to_string(vertices) + " elements vertex: expected one");
-    }
     if (std::ranges::none_of(elements, has_faces))
         throw InputError({file}, "has no element face, and so no surface: points cannot be drawn");
     for (const PlyElement& element : elements) {
@@ -181,14 +181,10 @@ void check_ply_size(const PlyHeader& header, std::uint64_t bytes, const std::str
         for (const PlyProperty& p : element.properties)
             least += p.length ? p.length->size : p.type.size;
         if (least == 0) continue;
-        if (element.count > bytes / least) {
-            const std::string what = element.name == "vertex" ? "vertices"
-                                     : element.name == "face"
-                                         ? "faces"
-                                         : "items of " + rt::quoted(element.name);
+        if (element.count > bytes / least)
             throw InputError({file, element.line}, "the file ends too early for " +
-                                                       std::to_string(element.count) + " " + what);
-        }
+                                                       std::to_string(element.count) + " " +
+                                                       items_of(element));
         bytes -= element.count * least;
     }
 }

@@ -64,6 +64,9 @@ inline constexpr std::array<std::string_view, 6> ply_coordinates = {"x",  "y",  
     return element.name == "face" || element.name == "tristrips";
 }
 
+/// "vertices"
+[[nodiscard]] std::string items_of(const PlyElement& element);
+
 /// Renames the only list of whole numbers of a face without vertex_indices so, with a warning: it
 /// can be nothing else but its corners.
 void name_corners(PlyHeader& header, MeshBuilder& builder);

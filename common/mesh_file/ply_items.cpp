@@ -15,12 +15,6 @@ bool has_list(const PlyElement& element) {
                                [](const PlyProperty& p) { return p.length.has_value(); });
 }
 
-std::string items_of(const PlyElement& element) {
-    if (element.name == "vertex") return "vertices";
-    if (element.name == "face") return "faces";
-    return "items of " + rt::quoted(element.name);
-}
-
 template <class Number>
 Number number_in(std::string_view bytes, bool swap) {
     std::array<char, sizeof(Number)> copy;

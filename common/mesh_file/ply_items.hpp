@@ -38,7 +38,6 @@ public:
     std::int64_t whole_number(const PlyElement& element, PlyType type);
     /// Skips a value.
     void skip(const PlyElement& element, PlyType type);
-    /// Skips every item of the element.
     void skip_all(const PlyElement& element);
     /// Warns if an item follows the last element.
     void warn_of_rest(MeshBuilder& builder);

@@ -103,7 +103,7 @@ private:
         const glm::dvec2 c = points_[next_[i]];
         const glm::dvec2 low = glm::min(a, glm::min(b, c));
         const glm::dvec2 high = glm::max(a, glm::max(b, c));
-        return std::none_of(reflex_.begin(), reflex_.end(), [&](Index r) {
+        return std::ranges::none_of(reflex_, [&](Index r) {
             const glm::dvec2 p = points_[r];
             if (p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y) return false;
             // A corner at the same position belongs to a bridge to a hole, or touches the triangle:

@@ -3,9 +3,9 @@
 #include "common/render/render_settings.hpp"
 #include "common/system/translation.hpp"
 #include "common/system/wrap.hpp"
-#include "common/tuning/choose_depth.hpp"
-#include "common/tuning/fine_shapes.hpp"
+#include "common/tuning/choices.hpp"
 #include "common/tuning/input_rounding.hpp"
+#include "common/tuning/render_trials.hpp"
 
 #include <algorithm>
 
@@ -69,8 +69,8 @@ std::vector<Advice> advice(const Scene& scene) {
 std::string explanation(const Scene& scene) {
     const std::vector<Requirement> needs = requirements(scene);
     const auto brought_by = [&needs](int stage) {
-        return std::any_of(needs.begin(), needs.end(),
-                           [stage](const Requirement& need) { return need.stage == stage; });
+        return std::ranges::any_of(
+            needs, [stage](const Requirement& need) { return need.stage == stage; });
     };
     std::string lines = tr(" requires") + "\n";
     for (const auto& [what, stage] : needs)

@@ -1,10 +1,10 @@
-#include "common/program/blank_picture.hpp"
+#include "common/program/make_picture.hpp"
 
 #include "common/explain/text.hpp"
 #include "common/math/vector.hpp"
 #include "common/render/render.hpp"
 #include "common/render/stage.hpp"
-#include "common/scene/box_of_shapes.hpp"
+#include "common/scene/scene.hpp"
 #include "common/stages/stages.hpp"
 #include "common/stages/todo.hpp"
 
@@ -133,7 +133,7 @@ std::string why_blank(const Scene& scene, const RenderSettings& settings, int st
     const std::vector<Rgb>& pixels = image.pixels;
     const auto differs = [&pixels](Rgb pixel) { return pixel != pixels.front(); };
     if (stage < shapes_stage || pixels.size() < least_pixels || has_said_todo()) return "";
-    if (std::any_of(pixels.begin(), pixels.end(), differs)) return "";
+    if (std::ranges::any_of(pixels, differs)) return "";
     const std::string start = "all pixels have one color: ";
     if (count_shapes(scene) == 0)
         return start + "the scene has no shape; try a line such as \"sp 0,0,0 2 255,0,0\"";

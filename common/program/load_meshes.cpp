@@ -31,7 +31,7 @@ std::shared_ptr<const MeshGeometry> load_model(const std::string& file, bool smo
                                                const Warn& warn) {
     Mesh mesh = load_mesh(file, warn, smooth);
     if (smooth && mesh.normals.empty()) {
-        if (warn) warn_of_turned_triangles(mesh, file, warn);
+        warn_of_turned_triangles(mesh, file, warn);
         add_smooth_normals(mesh);
         turn_to_normals(mesh);
     }
@@ -53,16 +53,11 @@ void require_finite(const MeshInstance& mesh, const FileLocation& place) {
 void load_meshes(Scene& scene, const Warn& warn) {
     std::map<std::pair<std::string, bool>, std::shared_ptr<const MeshGeometry>> models;
     for (const MeshRequest& named : scene.mesh_requests) {
-        const std::string file = path_of(named);
-        const auto warn_of_line = [&](const std::string& warning) {
-            if (warn) warn(warning + " (" + named_by(named.place) + ")");
-        };
-        auto& model = models[{file, named.smooth}];
-        try {
-            if (!model) model = load_model(file, named.smooth, warn_of_line);
-        } catch (const InputError& error) {
-            throw error.with(named_by(named.place));
-        }
+        auto& model = models[{path_of(named), named.smooth}];
+        if (!model)
+            model = read_named(named, warn, [&](const Warn& warn_of_line) {
+                return load_model(path_of(named), named.smooth, warn_of_line);
+            });
         const MeshInstance shape = {.model = model, .placement = named.placement};
         require_finite(shape, named.place);
         scene.meshes.push_back({.shape = shape, .material = named.material});

@@ -13,11 +13,19 @@ namespace rt {
 /// no_meshes.cpp takes its place, so that they do not need OpenMesh.
 void load_meshes(Scene& scene, const Warn& warn = nullptr);
 
-/// "the mesh of scene.rt:4:1", for messages about the file that is named there.
-[[nodiscard]] inline std::string named_by(const FileLocation& place) {
-    std::string text = to_string(place);
-    text.resize(text.rfind(':'));
-    return "the mesh of " + text;
+/// What `read(warn)` returns of a file. Its warnings and errors also have the line of the scene
+/// that names the file: "the mesh of scene.rt:4".
+template <class Read>
+[[nodiscard]] auto read_named(const MeshRequest& named, const Warn& warn, const Read& read) {
+    std::string line = to_string(named.place);
+    line = "the mesh of " + line.substr(0, line.rfind(':'));
+    try {
+        return read([&](const std::string& warning) {
+            if (warn) warn(warning + " (" + line + ")");
+        });
+    } catch (const InputError& error) {
+        throw error.with(line);
+    }
 }
 
 /// Returns the lines about the meshes' files that `--requirements` prints: what their triangles

@@ -2,7 +2,6 @@
 #include "common/image/png.hpp"
 #include "common/program/options.hpp"
 #include "common/program/renderer.hpp"
-#include "common/program/stage_number.hpp"
 #include "common/program/used_options.hpp"
 #include "common/system/escaping.hpp"
 #include "common/system/input_error.hpp"

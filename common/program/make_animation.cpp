@@ -10,7 +10,6 @@
 #include "common/system/translation.hpp"
 
 #include <chrono>
-#include <cstdio>
 
 namespace rt {
 
@@ -41,10 +40,9 @@ bool make_animation(const Program& program, const Options& options, const Scene&
                     picture_texts(program, options, scene.resolution), options.settings.gamma);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     if (options.quiet) return true;
-    std::puts(tr_text(one_line(options.output) + ": " + std::to_string(frames) + " frames of " +
-                      size_text(scene.resolution) + " pixels, " + name(options.precision) +
-                      formatted(", %.2f s", seconds.count()))
-                  .c_str());
+    print_line(tr_text(one_line(options.output) + ": " + std::to_string(frames) + " frames of " +
+                       size_text(scene.resolution) + " pixels, " + name(options.precision) +
+                       formatted(", %.2f s", seconds.count())));
     return true;
 }
 

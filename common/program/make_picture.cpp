@@ -2,8 +2,6 @@
 
 #include "common/image/png.hpp"
 #include "common/image/preview.hpp"
-#include "common/program/blank_picture.hpp"
-#include "common/program/shade_picture.hpp"
 #include "common/program/used_options.hpp"
 #include "common/stages/stages.hpp"
 #include "common/system/escaping.hpp"
@@ -13,7 +11,6 @@
 #include "common/tuning/wording.hpp"
 
 #include <chrono>
-#include <cstdio>
 #include <iostream>
 #include <utility>
 
@@ -32,14 +29,14 @@ void report(const Rendering& rendering, const Options& options, const TimeBudget
     if (pace != nullptr && pace->error() < 255)
         line += "; 99 of 100 pixels within " + number(pace->error()) +
                 " of 255, according to the trials";
-    std::puts(tr_text(line).c_str());
+    print_line(tr_text(line));
     if (rendering.not_a_number == 0) return;
     const Pixel first = rendering.first_not_a_number;
     line = std::to_string(rendering.not_a_number) +
            (rendering.not_a_number == 1 ? " pixel is" : " pixels are") +
            " not a number, and shown in magenta: see --pixel " + std::to_string(first.row) + "," +
            std::to_string(first.column);
-    std::puts(tr_text(line).c_str());
+    print_line(tr_text(line));
 }
 
 /// Renders the picture, or that of the numbers of --shade, whose legend is added.
@@ -88,11 +85,11 @@ bool make_picture(const Program& program, const Options& options, const Scene& s
               legend.empty() ? options.settings.gamma : Gamma::unstated);
     const std::chrono::duration<double> since_start = std::chrono::steady_clock::now() - start;
     const double seconds = since_start.count() + (centers != nullptr ? centers->seconds : 0);
-    if (options.preview) std::fputs(preview(rendering->image, terminal_columns()).c_str(), stdout);
+    if (options.preview) print(preview(rendering->image, terminal_columns()));
     if (!options.quiet && legend.empty()) warn_if_blank(scene, program, options, rendering->image);
     if (options.quiet) return true;
     report(*rendering, options, pace, seconds);
-    for (const std::string& line : legend) std::printf("  %s\n", tr_text(line).c_str());
+    for (const std::string& line : legend) print_line("  " + tr_text(line));
     return true;
 }
 

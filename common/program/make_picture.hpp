@@ -1,8 +1,10 @@
 // Makes a picture or an animation of a scene, or the log or the drawing of one of its pixels.
 #pragma once
 
+#include "common/image/image.hpp"
 #include "common/image/pixel.hpp"
 #include "common/program/options.hpp"
+#include "common/render/pixel_values.hpp"
 #include "common/render/render.hpp"
 #include "common/render/render_settings.hpp"
 #include "common/scene/scene.hpp"
@@ -10,8 +12,29 @@
 
 #include <atomic>
 #include <string>
+#include <vector>
 
 namespace rt {
+
+/// A picture and its legend.
+struct ShadePicture {
+    Image image;
+    /// First what the numbers are; then for each color "#rrggbb  12 %  4.5", its place on the scale
+    /// and its number, or "#rrggbb  sphere 2, 4.5 % of the pixels".
+    std::vector<std::string> legend;
+};
+
+/// Colors the numbers. The ends of a scale are the smallest and the largest number, if no range is
+/// given, and its steps are those of the logarithm. A scale of lengths ends before the farthest
+/// twentieth of the pixels, if this is more than twice as far.
+[[nodiscard]] ShadePicture shade_picture(const PixelValues& values, const Options& options,
+                                         const Scene& scene);
+
+/// Returns one sentence if all pixels of the stage's picture have one color, else an empty string.
+/// The remedy that it suggests has been tried with a few rays. The picture is that of the scene's
+/// first camera. Empty too if a function that is not written yet was called: that is the reason.
+[[nodiscard]] std::string why_blank(const Scene& scene, const RenderSettings& settings, int stage,
+                                    const Image& image);
 
 /// The result of render_centers, and the seconds by the clock that it took.
 struct TracedCenters {

@@ -18,7 +18,7 @@ namespace rt {
 namespace {
 
 std::string counted(std::size_t count, const char* one, const char* many) {
-    return count == 1 ? tr(one) : tr(many, {{"number", std::to_string(count)}});
+    return count == 1 ? tr(one) : tr(many, {{"number", count}});
 }
 
 std::string edges_of(std::size_t count) {
@@ -54,10 +54,9 @@ std::string form_line(const MeshForm& form) {
     if (form.holes == 0)
         text += tr(form.crowded_edges == 0 ? to_translate(", closed") : to_translate(", no hole"));
     if (form.holes > 0)
-        text +=
-            tr(form.holes == 1 ? to_translate(", 1 hole of {edges}")
-                               : to_translate(", {number} holes, the longest of {edges}"),
-               {{"number", std::to_string(form.holes)}, {"edges", edges_of(form.longest_hole)}});
+        text += tr(form.holes == 1 ? to_translate(", 1 hole of {edges}")
+                                   : to_translate(", {number} holes, the longest of {edges}"),
+                   {{"number", form.holes}, {"edges", edges_of(form.longest_hole)}});
     if (form.crowded_edges > 0)
         text +=
             tr(", {edges} of three triangles or more", {{"edges", edges_of(form.crowded_edges)}});
@@ -90,17 +89,6 @@ std::string box_line(const Mesh& mesh) {
                                          {{"what", tr_text(loss)}}));
 }
 
-Mesh loaded(const MeshRequest& named, const Warn& warn) {
-    const auto warn_of_line = [&](const std::string& warning) {
-        if (warn) warn(warning + " (" + named_by(named.place) + ")");
-    };
-    try {
-        return load_mesh(path_of(named), warn_of_line, false);
-    } catch (const InputError& error) {
-        throw error.with(named_by(named.place));
-    }
-}
-
 }  // namespace
 
 std::string mesh_forms(const Scene& scene, const Warn& warn) {
@@ -108,7 +96,9 @@ std::string mesh_forms(const Scene& scene, const Warn& warn) {
     std::set<std::string> seen;
     for (const MeshRequest& named : scene.mesh_requests) {
         if (!seen.insert(named.file).second) continue;
-        const Mesh mesh = loaded(named, warn);
+        const Mesh mesh = read_named(named, warn, [&](const Warn& warn_of_line) {
+            return load_mesh(path_of(named), warn_of_line, false);
+        });
         const auto [triangles, vertices] = welded(mesh);
         lines += (seen.size() == 1 ? tr("with the meshes") + "\n  " : "  ") +
                  tr("{file}: {triangles} in {form}; {box}",

@@ -4,8 +4,6 @@
 #include "common/bvh/mesh_bvh.hpp"
 #include "common/tuning/auto_settings.hpp"
 #include "common/tuning/render_trials.hpp"
-#include "common/tuning/scene_traits.hpp"
-#include "common/tuning/stops_sampling.hpp"
 
 namespace rt {
 

@@ -11,13 +11,12 @@
 #include "common/system/translated_help.hpp"
 #include "common/system/version.hpp"
 #include "common/system/wrap.hpp"
-#include "common/tuning/choose_pixels.hpp"
+#include "common/tuning/choices.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <filesystem>
 #include <iostream>
@@ -121,7 +120,6 @@ void add_goals(CLI::App& app, int stage, Options& options) {
                [&options](double seconds) { options.time = seconds; });
 }
 
-/// Adds the options of the pixels.
 void add_pixel_options(CLI::App& app, RenderSettings& settings) {
     app.add_option("--samples", settings.pixel_samples,
                    "number of rays through each pixel, whose color is their mean; 1 if not given: "
@@ -140,7 +138,6 @@ void add_pixel_options(CLI::App& app, RenderSettings& settings) {
         ->type_name("srgb|linear");
 }
 
-/// Adds the options of the stages with light.
 void add_light_options(CLI::App& app, int stage, RenderSettings& settings) {
     const auto add_whole = [&app](const std::string& name, auto& value, const std::string& help,
                                   int least, int most) {

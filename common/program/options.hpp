@@ -11,6 +11,9 @@
 
 namespace rt {
 
+/// The number of the stage whose program this is (stage_number.cpp).
+extern const int stage_number;
+
 /// The stage's program that is running.
 struct Program {
     int stage = 1;

@@ -16,9 +16,6 @@ struct Segment {
 using Segments = std::vector<Segment>;
 
 }  // namespace RT_PRECISION
-}  // namespace rt
-
-namespace rt {
 
 /// The outline of a kind of shape without one below: curves along both coordinates of its surface.
 template <BoundedKindOfShape Shape>

@@ -7,13 +7,14 @@
 #include "common/math/vector.hpp"
 #include "common/program/outlines.hpp"
 #include "common/render/pixel_values.hpp"
-#include "common/scene/box_of_shapes.hpp"
+#include "common/scene/scene.hpp"
+#include "common/system/text.hpp"
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <set>
 #include <type_traits>
+#include <vector>
 
 namespace rt {
 
@@ -26,26 +27,12 @@ Vec3 vector(const Numbers& numbers) {
 }
 
 /// The value of a JSON member that is a list of vectors.
-class List {
-public:
-    void add(Vec3 v) {
-        for (const Real value : {v.x, v.y, v.z}) {
-            std::array<char, 32> digits{};
-            std::snprintf(digits.data(), digits.size(), "%.5g", double(value));
-            text_ += (text_.empty() ? "" : ",") +
-                     (std::isfinite(value) ? std::string(digits.data()) : "null");
-        }
-    }
-    [[nodiscard]] std::string text() const { return "[" + text_ + "]"; }
-
-private:
-    std::string text_;
-};
-
-std::string list(std::initializer_list<Vec3> vectors) {
-    List all;
-    for (const Vec3& v : vectors) all.add(v);
-    return all.text();
+std::string list(const std::vector<Vec3>& vectors) {
+    const auto number = [](Real x) {
+        return std::isfinite(x) ? formatted("%.5g", double(x)) : "null";
+    };
+    const auto numbers = [&](Vec3 v) { return joined(std::array{v.x, v.y, v.z}, number, ","); };
+    return "[" + joined(vectors, numbers, ",") + "]";
 }
 
 /// The box of what is drawn: shapes, camera, lights, hits, and the places of planes near to them.
@@ -138,38 +125,35 @@ std::string ray_drawing(const Scene& scene, const RenderSettings& settings, Pixe
                 ++left_out;
                 continue;
             }
-            List segments;
-            for (const auto& [from, to] : outline_in(box, primitive.shape)) {
-                segments.add(from);
-                segments.add(to);
-            }
+            std::vector<Vec3> segments;
+            for (const auto& [from, to] : outline_in(box, primitive.shape))
+                segments.insert(segments.end(), {from, to});
             outlines += std::string(outlines.empty() ? "" : ",") + R"({"shape":")" +
                         name_of_shape(shape, scene) + R"(","hit":)" + (is_hit ? "true" : "false") +
                         R"(,"color":")" + hex(distinct_color(shape)) + R"(","segments":)" +
-                        segments.text() + "}";
+                        list(segments) + "}";
         }
     };
     for_each_kind(scene, draw);
     draw(scene.meshes);
 
     // The camera: the pyramid from its position through the corners of the picture.
-    List frame;
+    std::vector<Vec3> frame;
     const int right = scene.resolution.width - 1;
     const int bottom = scene.resolution.height - 1;
     for (const Pixel& corner :
          {Pixel{0, 0}, Pixel{0, right}, Pixel{bottom, right}, Pixel{bottom, 0}}) {
         const Ray ray = pixel_ray(corner);
-        frame.add(ray.origin + size / 10 * unit(ray.direction));
+        frame.push_back(ray.origin + size / 10 * unit(ray.direction));
     }
-    std::string lights;
-    for (const Light& light : scene.lights)
-        lights += (lights.empty() ? "" : ",") + (R"({"at":)" + list({light.position})) +
-                  R"(,"radius":)" + text(light.radius) + "}";
+    const auto light_text = [](const Light& light) {
+        return R"({"at":)" + list({light.position}) + R"(,"radius":)" + text(light.radius) + "}";
+    };
 
     return R"({"rays":[)" + rays + R"(],"outlines":[)" + outlines + R"(],"left_out":)" +
            std::to_string(left_out) + R"(,"eye":)" + list({camera.position}) + R"(,"facing":)" +
-           list({camera.direction}) + R"(,"frame":)" + frame.text() + R"(,"lights":[)" + lights +
-           R"(],"box":)" + list({box.min, box.max}) + "}";
+           list({camera.direction}) + R"(,"frame":)" + list(frame) + R"(,"lights":[)" +
+           joined(scene.lights, light_text, ",") + R"(],"box":)" + list({box.min, box.max}) + "}";
 }
 
 }  // namespace rt

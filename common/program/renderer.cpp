@@ -9,13 +9,10 @@
 #include "common/system/countdown.hpp"
 #include "common/system/escaping.hpp"
 #include "common/system/translation.hpp"
-#include "common/tuning/fine_shapes.hpp"
+#include "common/tuning/auto_settings.hpp"
 #include "common/tuning/input_rounding.hpp"
 #include "common/tuning/render_trials.hpp"
-#include "common/tuning/scene_traits.hpp"
-#include "common/tuning/stops_sampling.hpp"
 #include "common/tuning/trial_runner.hpp"
-
 #include "steps/step02_camera_basis/camera_basis.hpp"
 
 #include <filesystem>

@@ -38,7 +38,7 @@ std::vector<Requirement> requirements(const Scene& scene, int stage) {
     if (stage >= light_stage) {
         const auto shines = [](const Material& material) { return material.specular > 0; };
         const auto has_size = [](const Light& light) { return light.radius > 0; };
-        const auto sized = std::count_if(scene.lights.begin(), scene.lights.end(), has_size);
+        const auto sized = std::ranges::count_if(scene.lights, has_size);
         require(scene.ambient ? 1 : 0, light_stage, "ambient light", "");
         require(scene.lights.size(), light_stage, "light", "lights");
         require(materials(scene, shines), light_stage, "shape with a highlight",

@@ -1,4 +1,4 @@
-#include "common/program/shade_picture.hpp"
+#include "common/program/make_picture.hpp"
 
 #include "common/image/color_scale.hpp"
 #include "common/system/text.hpp"
@@ -65,7 +65,7 @@ Scale scale_of(const PixelValues& values, const Options& options) {
     for (const auto& number : values.numbers)
         if (number && *number > 0 && std::isfinite(*number)) numbers.push_back(*number);
     if (numbers.empty()) return {};
-    const auto [low, high] = std::minmax_element(numbers.begin(), numbers.end());
+    const auto [low, high] = std::ranges::minmax_element(numbers);
     Scale scale{.low = four_digits(*low, std::floor), .high = four_digits(*high, std::ceil)};
     const Shading shading = options.settings.shading;
     if (shading != Shading::depth && shading != Shading::t) return scale;
@@ -131,8 +131,7 @@ std::vector<std::string> keys(const PixelValues& values, const Scene& scene, Sha
     for (const auto& number : values.numbers)
         if (number) ++counts[int(*number)];
     std::vector<std::pair<int, std::size_t>> largest(counts.begin(), counts.end());
-    std::stable_sort(largest.begin(), largest.end(),
-                     [](const auto& a, const auto& b) { return a.second > b.second; });
+    std::ranges::stable_sort(largest, std::greater(), [](const auto& each) { return each.second; });
     std::vector<std::string> lines;
     const std::size_t named = std::min(largest.size(), most_shapes_named);
     std::sort(largest.begin(), largest.begin() + std::ptrdiff_t(named));

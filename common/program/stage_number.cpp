@@ -1,8 +1,7 @@
 // Compiled for each stage, by which its program differs from the others.
-#include "common/program/stage_number.hpp"
-
 namespace rt {
 
+extern const int stage_number;  // options.hpp
 const int stage_number = RAYSTEPS_STAGE;
 
 }  // namespace rt

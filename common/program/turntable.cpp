@@ -1,6 +1,6 @@
 #include "common/program/turntable.hpp"
 
-#include "common/scene/box_of_shapes.hpp"
+#include "common/scene/scene.hpp"
 
 #include <cmath>
 

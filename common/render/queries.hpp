@@ -27,9 +27,6 @@ inline std::optional<Real> t_of(const std::optional<MeshHit>& answer) {
 }
 
 }  // namespace RT_PRECISION
-}  // namespace rt
-
-namespace rt {
 
 /// The number of tests that a query of a shape takes: one, but of a mesh many.
 template <class Shape>

@@ -27,9 +27,6 @@ struct PixelRays {
 };
 
 }  // namespace RT_PRECISION
-}  // namespace rt
-
-namespace rt {
 
 /// The color of a ray that hits nothing: that of the scene's sky in its direction, or black.
 [[nodiscard]] inline Color background(const Scene& scene, const Ray& ray) {

@@ -16,9 +16,6 @@ struct PhongTerms {
 };
 
 }  // namespace RT_PRECISION
-}  // namespace rt
-
-namespace rt {
 
 /// Logs the vectors and cosines of Phong's model at the shading point (CR §3.1).
 void explain(PixelLog& log, const ShadingPoint& surface, const Light& light);

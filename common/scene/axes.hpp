@@ -13,9 +13,6 @@ struct Axes {
     bool z_up = false;         ///< z points up and y away from the viewer
 };
 
-}  // namespace rt
-
-namespace rt {
 inline namespace RT_PRECISION {
 
 /// Converts a point or a direction of the scene to the program's axes. Exact: components only

@@ -44,9 +44,6 @@ template <>
 inline constexpr std::size_t bvh_pays_from<MeshInstance> = 8;
 
 }  // namespace RT_PRECISION
-}  // namespace rt
-
-namespace rt {
 
 /// The mesh with its bounds, packed if that is faster.
 [[nodiscard]] std::shared_ptr<const MeshGeometry> mesh_geometry(Mesh mesh);

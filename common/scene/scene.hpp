@@ -13,7 +13,6 @@
 #include "common/scene/light.hpp"
 #include "common/scene/mesh_instance.hpp"
 #include "common/scene/primitives.hpp"
-#include "common/scene/sky.hpp"
 #include "common/system/input_error.hpp"
 
 #include <concepts>
@@ -29,9 +28,6 @@ namespace rt {
 /// the vertical side, and miniRT's subject the horizontal one.
 enum class FovAxis { vertical, horizontal };
 
-}  // namespace rt
-
-namespace rt {
 inline namespace RT_PRECISION {
 
 /// A camera: all lengths in units of the scene.
@@ -40,6 +36,12 @@ struct Camera {
     Vec3 direction{0, 0, -1};  ///< unit length
     Real fov = pi / 3;         ///< radians, 0 to π
     FovAxis fov_axis = FovAxis::vertical;
+};
+
+/// The sky, what a ray sees that hits nothing: a gradient of two colors by the ray's direction.
+struct Sky {
+    Color bottom;  ///< straight down
+    Color top;     ///< straight up
 };
 
 /// A mesh that a scene names. It is loaded later, once the stage is known to support meshes.
@@ -98,9 +100,6 @@ inline constexpr std::tuple shape_kinds{
 inline constexpr std::size_t list_count = std::tuple_size_v<decltype(shape_kinds)> + 1;
 
 }  // namespace RT_PRECISION
-}  // namespace rt
-
-namespace rt {
 
 /// The angle between the top and the bottom edge of the picture, in radians, for a field of view
 /// given along either axis.
@@ -110,6 +109,13 @@ namespace rt {
 template <class SomeScene, class Visit>
 void for_each_kind(SomeScene& scene, Visit visit) {
     std::apply([&](const auto&... kind) { (visit(scene.*kind.primitives), ...); }, shape_kinds);
+}
+
+/// The bounding box of all shapes except planes; empty if there are none.
+[[nodiscard]] inline BoundingBox box_of_shapes(const Scene& scene) {
+    BoundingBox all;
+    for_each_kind(scene, [&all](const auto& primitives) { all = merged(all, primitives.box()); });
+    return merged(all, scene.meshes.box());
 }
 
 /// The path of the mesh's file, resolved from the scene's folder, independent of the working

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/scene_file/lexer.hpp"
-#include "common/scene_file/reading.hpp"
+#include "common/scene_file/reader.hpp"
 #include "common/system/input_error.hpp"
 
 #include <set>

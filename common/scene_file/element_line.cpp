@@ -1,6 +1,7 @@
 #include "common/scene_file/element_line.hpp"
 
 #include "common/system/escaping.hpp"
+#include "common/system/text.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -10,7 +11,7 @@ namespace rt {
 namespace {
 
 std::ptrdiff_t commas(std::string_view text) {
-    return std::count(text.begin(), text.end(), ',');
+    return std::ranges::count(text, ',');
 }
 
 bool is_letter(char c) {
@@ -79,9 +80,8 @@ ElementLine::ElementLine(Line line, const ElementForm& form, SceneReport& report
 std::optional<Token> ElementLine::option(std::string_view key) {
     for (auto token = line_.tokens.begin() + static_cast<std::ptrdiff_t>(next_);
          token != line_.tokens.end(); ++token) {
-        if (!token->text.starts_with(key) || !token->text.substr(key.size()).starts_with(':')) {
+        if (!token->text.starts_with(key) || !token->text.substr(key.size()).starts_with(':'))
             continue;
-        }
         const std::size_t start = key.size() + 1;
         const Token value{token->text.substr(start), token->column + static_cast<int>(start)};
         line_.tokens.erase(token);
@@ -101,13 +101,9 @@ std::optional<std::array<Token, 3>> ElementLine::option_triple(std::string_view 
 int ElementLine::choice(std::string_view key, std::initializer_list<std::string_view> values) {
     const auto value = option(key);
     if (!value) return 0;
-    const auto* const found = std::find(values.begin(), values.end(), value->text);
+    const auto* const found = std::ranges::find(values, value->text);
     if (found != values.end()) return static_cast<int>(found - values.begin());
-    std::string expected;
-    for (const std::string_view possible : values) {
-        expected.append(expected.empty() ? "" : " or ").append(possible);
-    }
-    refuse(*value, what(key) + " must be " + expected);
+    refuse(*value, what(key) + " must be " + joined(values, {}, " or "));
 }
 
 bool ElementLine::no_number_follows() const {
@@ -176,9 +172,8 @@ void ElementLine::finish() {
             std::string(form_.noun) + ": expected \"" + std::string(form_.layout) + "\"";
         doubt(token, "too much " + std::string(form_.keyword) + " " + std::string(key),
               quoted(token.text) +
-                  (std::find(taken_.begin(), taken_.end(), key) != taken_.end()
-                       ? " repeats an option of "
-                   : option ? " is not an option of "
+                  (std::ranges::find(taken_, key) != taken_.end() ? " repeats an option of "
+                   : option                                       ? " is not an option of "
                    : left == 1
                        ? " is one word too many for "
                        : " is the first of " + std::to_string(left) + " words too many for ") +
@@ -268,9 +263,7 @@ Token ElementLine::peek_field() const {
 }
 
 Token ElementLine::take(std::string_view field, std::size_t words) {
-    if (at_end()) {
-        report_.fail(line_.number, end_of_line().column, missing(field));
-    }
+    if (at_end()) report_.fail(line_.number, end_of_line().column, missing(field));
     Token token = joined(line_.tokens[next_], line_.tokens[next_ + words - 1]);
     next_ += words;
     if (strict() || token.text.size() < 2 || !token.text.ends_with(',')) return token;

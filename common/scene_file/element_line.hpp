@@ -78,7 +78,6 @@ protected:
     /// The last word with a letter, other than a number, before the next word with a comma.
     [[nodiscard]] std::optional<Token> last_word_before_triple() const;
 
-    /// Ignores the rest of the line.
     void skip_rest() { next_ = line_.tokens.size(); }
 
     /// Returns whether the rest of the line has no comma of a triple, and has a word that is

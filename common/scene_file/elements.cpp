@@ -185,7 +185,7 @@ std::span<const Element> elements() {
 
 const Element* find_element(std::string_view keyword) {
     const auto has_keyword = [keyword](const Element& e) { return e.form.keyword == keyword; };
-    const auto found = std::find_if(table.begin(), table.end(), has_keyword);
+    const auto found = std::ranges::find_if(table, has_keyword);
     return found == table.end() ? nullptr : &*found;
 }
 

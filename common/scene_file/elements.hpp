@@ -3,7 +3,7 @@
 
 #include "common/math/basis.hpp"
 #include "common/scene_file/fields.hpp"
-#include "common/scene_file/reading.hpp"
+#include "common/scene_file/reader.hpp"
 
 #include <span>
 #include <string_view>

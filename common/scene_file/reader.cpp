@@ -35,7 +35,7 @@ void check_is_text(std::string_view text, const SceneReport& report) {
     const char end = line_end(text);
     for (int number = 1; !text.empty(); ++number) {
         const std::string_view line = text.substr(0, text.find(end));
-        const auto zero = std::find(line.begin(), line.end(), '\0');
+        const auto zero = std::ranges::find(line, '\0');
         if (zero != line.end()) {
             report.fail(number, static_cast<int>(zero - line.begin()) + 1,
                         "a zero byte: expected text");
@@ -50,11 +50,8 @@ void check_is_text(std::string_view text, const SceneReport& report) {
 }
 
 std::string all_keywords() {
-    std::string list;
-    for (const Element& element : elements()) {
-        list.append(list.empty() ? "" : " ").append(element.form.keyword);
-    }
-    return list;
+    return joined(
+        elements(), [](const Element& element) { return element.form.keyword; }, " ");
 }
 
 /// Applies one word of "# rt: …" to the reading options.
@@ -82,9 +79,8 @@ void apply_directive(Token word, int line, SceneReport& report, SceneReading& re
 SceneReading with_directives(std::string_view text, SceneReading reading, SceneReport& report) {
     Lines lines(text);
     while (const auto line = lines.next()) {
-        for (const Token word : line->directives) {
+        for (const Token word : line->directives)
             apply_directive(word, line->number, report, reading);
-        }
     }
     return reading;
 }
@@ -194,9 +190,8 @@ public:
 
     /// Returns the scene; call it after the last line.
     Scene take() {
-        if (scene_.cameras.empty()) {
+        if (scene_.cameras.empty())
             report_.fail(0, 0, "no camera: expected a line \"C position direction fov\"");
-        }
         for (const auto& [index, line, column] : without_direction_) {
             Camera& camera = scene_.cameras[index];
             camera.direction = axis_to_most_shapes(scene_, camera.position);
@@ -230,9 +225,8 @@ private:
 Scene read_elements(std::string_view text, const ElementReading& reading, SceneReport& report) {
     ElementReader reader(reading, report);
     Lines lines(text);
-    while (auto line = lines.next()) {
+    while (auto line = lines.next())
         if (!line->tokens.empty()) reader.read(std::move(*line));
-    }
     return reader.take();
 }
 

@@ -32,7 +32,6 @@ struct GradedFile {
     return name_of(file.stage) + (file.is_trace ? "_trace" : "");
 }
 
-/// The files of a stage.
 [[nodiscard]] inline std::vector<GradedFile> files_of(int stage) {
     std::vector<GradedFile> files{GradedFile(stage)};
     if (has_trace(stage)) files.emplace_back(stage, true);

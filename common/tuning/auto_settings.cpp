@@ -1,9 +1,6 @@
 #include "common/tuning/auto_settings.hpp"
 
-#include "common/tuning/choose_depth.hpp"
-#include "common/tuning/choose_pixels.hpp"
-#include "common/tuning/choose_precision.hpp"
-#include "common/tuning/choose_samples.hpp"
+#include "common/tuning/choices.hpp"
 #include "common/tuning/pixel_errors.hpp"
 #include "common/tuning/trial_runner.hpp"
 #include "common/tuning/wording.hpp"

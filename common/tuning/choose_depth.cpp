@@ -1,4 +1,4 @@
-#include "common/tuning/choose_depth.hpp"
+#include "common/tuning/choices.hpp"
 
 #include "common/tuning/pixel_errors.hpp"
 

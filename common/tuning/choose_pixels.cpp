@@ -1,4 +1,4 @@
-#include "common/tuning/choose_pixels.hpp"
+#include "common/tuning/choices.hpp"
 
 #include "common/tuning/candidates.hpp"
 #include "common/tuning/pixel_errors.hpp"

@@ -1,4 +1,4 @@
-#include "common/tuning/choose_precision.hpp"
+#include "common/tuning/choices.hpp"
 
 #include "common/system/input_error.hpp"
 #include "common/tuning/pixel_errors.hpp"

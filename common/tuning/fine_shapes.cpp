@@ -1,4 +1,4 @@
-#include "common/tuning/fine_shapes.hpp"
+#include "common/tuning/render_trials.hpp"
 
 #include "common/geometry/outlines.hpp"
 #include "common/render/sampling.hpp"

@@ -19,9 +19,7 @@ inline namespace RT_PRECISION {
 [[nodiscard]] SceneLengths scene_sizes(const Scene& scene);
 
 }  // namespace RT_PRECISION
-}  // namespace rt
 
-namespace rt {
 inline namespace f64 {
 
 /// Returns one sentence for each thing in the scene that float would lose; empty if there is no

@@ -16,6 +16,10 @@ inline constexpr double few_in_penumbrae = 0.1;
 /// The difference of two colors: that of the channel with the largest one, in 8-bit levels.
 [[nodiscard]] double distance(const DisplayColor& a, const DisplayColor& b);
 
+/// Returns the largest difference between two neighbors, of which one is at most `reach` columns
+/// and rows from the pixel; in 8-bit levels, of the channel with the largest. `reach` is 0 or 1.
+[[nodiscard]] int contrast_around(const Image& image, Pixel pixel, int reach);
+
 /// The differences between the pixels of two samples, in 8-bit levels.
 [[nodiscard]] std::vector<double> distances(const TrialSample& a, const TrialSample& b);
 

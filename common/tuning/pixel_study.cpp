@@ -2,7 +2,6 @@
 
 #include "common/math/spread_order.hpp"
 #include "common/tuning/candidates.hpp"
-#include "common/tuning/contrast.hpp"
 #include "common/tuning/pixel_errors.hpp"
 #include "common/tuning/wording.hpp"
 

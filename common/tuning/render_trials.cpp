@@ -3,7 +3,6 @@
 #include "common/render/pixel_samples.hpp"
 #include "common/system/countdown.hpp"
 #include "common/system/parallel_for.hpp"
-#include "common/tuning/contrast.hpp"
 #include "common/tuning/pixel_errors.hpp"
 
 #include <algorithm>

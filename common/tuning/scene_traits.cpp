@@ -1,4 +1,4 @@
-#include "common/tuning/scene_traits.hpp"
+#include "common/tuning/render_trials.hpp"
 
 #include "common/stages/stages.hpp"
 #include "common/tuning/input_rounding.hpp"

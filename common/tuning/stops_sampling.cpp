@@ -1,4 +1,4 @@
-#include "common/tuning/stops_sampling.hpp"
+#include "common/tuning/auto_settings.hpp"
 
 #include "common/tuning/candidates.hpp"
 #include "common/tuning/trial_pixels.hpp"

@@ -1,17 +1,15 @@
 #include "common/tuning/wording.hpp"
 
+#include "common/system/text.hpp"
 #include "common/system/translation.hpp"
 #include "common/system/wrap.hpp"
 
 #include <cmath>
-#include <cstdio>
 
 namespace rt {
 
 std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, value >= 99.5 && value < 1e6 ? "%.0f" : "%.2g", value);
-    return text;
+    return formatted(value >= 99.5 && value < 1e6 ? "%.0f" : "%.2g", value);
 }
 
 std::string levels(double value) {

@@ -2,9 +2,7 @@
 // draws: their errors are those of real pictures.
 #include "common/render/render.hpp"
 #include "common/tuning/auto_settings.hpp"
-#include "common/tuning/fine_shapes.hpp"
 #include "common/tuning/render_trials.hpp"
-#include "common/tuning/scene_traits.hpp"
 
 #include "tests/kit/catch.hpp"
 #include "tests/kit/random.hpp"

@@ -5,7 +5,7 @@
 
 #include "common/system/hash.hpp"
 #include "common/tuning/auto_settings.hpp"
-#include "common/tuning/choose_depth.hpp"
+#include "common/tuning/choices.hpp"
 
 #include <chrono>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "tests/common/tuning/model_scenes.hpp"
 #include "tests/kit/catch.hpp"
 
-#include "common/tuning/stops_sampling.hpp"
+#include "common/tuning/auto_settings.hpp"
 
 #include <algorithm>
 
