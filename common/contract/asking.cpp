@@ -3,6 +3,7 @@
 #include "common/stages/reasons.hpp"
 #include "common/system/countdown.hpp"
 #include "common/system/descriptors.hpp"
+#include "common/system/text.hpp"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -18,7 +19,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
-#include <sstream>
 #include <string_view>
 #include <vector>
 
@@ -52,10 +52,8 @@ std::vector<std::string> command_of(const std::string& program) {
     const char* sealed = std::getenv("RAYSTEPS_SEALED");
     if (sealed == nullptr) return {program};
     std::vector<std::string> command{sealed};
-    if (const char* limits = std::getenv("RAYSTEPS_LIMITS")) {
-        std::istringstream words(limits);
-        for (std::string word; words >> word;) command.push_back(word);
-    }
+    if (const char* limits = std::getenv("RAYSTEPS_LIMITS"))
+        std::ranges::copy(words_of(limits), std::back_inserter(command));
     command.insert(command.end(), {"--", program});
     return command;
 }

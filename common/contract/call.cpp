@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <sstream>
 
 namespace rt::contract {
 
@@ -177,8 +176,7 @@ std::vector<Call> failing_calls(int stage, const std::string& report) {
     std::vector<Call> calls;
     std::string question;  // on several lines, before the first entry of a failure: "|   got: …"
     bool is_question = true;
-    std::istringstream lines(report);
-    for (std::string line; std::getline(lines, line);) {
+    for (const std::string& line : lines_of(report)) {
         if (line.starts_with("case ")) {
             question.clear();
             is_question = true;

@@ -1,6 +1,6 @@
 #include "common/contract/difference_texts.hpp"
 
-#include <sstream>
+#include "common/system/text.hpp"
 
 namespace rt::contract {
 
@@ -82,8 +82,8 @@ std::string paste_line(const Call& call, const Value& expected) {
         return line;
     }
     std::string block = "{\n    const auto answer = " + called + ";\n";
-    std::istringstream lines(gives_lines("answer", "answer", answer));
-    for (std::string line; std::getline(lines, line);) block += "    " + line + "\n";
+    for (const std::string& line : lines_of(gives_lines("answer", "answer", answer)))
+        block += "    " + line + "\n";
     return block + "}";
 }
 

@@ -2,12 +2,12 @@
 
 #include "common/contract/contracts.hpp"
 #include "common/math/vector.hpp"
+#include "common/system/text.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 #include <stdexcept>
 
 namespace rt::contract {
@@ -24,11 +24,6 @@ Mistake read_mistake(const std::string& line) {
     const std::size_t colon = line.find(": ");
     if (colon == std::string::npos) throw Malformed("no sentence: " + line);
     return {.name = line.substr(0, colon), .sentence = line.substr(colon + 2)};
-}
-
-std::vector<std::string> words_of(const std::string& text) {
-    std::istringstream stream(text);
-    return {std::istream_iterator<std::string>(stream), {}};
 }
 
 std::size_t place_of(const Probes& probes, const std::string& mistake) {
@@ -100,23 +95,17 @@ std::string cases_text(const Probes& probes) {
 
 CaseResults read_case_results(const std::string& report) {
     CaseResults results;
-    std::istringstream lines(report);
     std::string name;
-    for (std::string line; std::getline(lines, line);) {
-        if (line.starts_with("case ")) {
-            name = line.substr(5);
-            results[name] = false;
-        } else if (line == "passed") {
-            results[name] = true;
-        }
+    for (const std::string& line : lines_of(report)) {
+        if (const auto next = after("case ", line)) results[name = *next] = false;
+        if (line == "passed") results[name] = true;
     }
     return results;
 }
 
 Probes read_probes(const std::string& text) {
     Probes probes;
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) {
+    for (const std::string& line : lines_of(text)) {
         const std::size_t blank = line.find(' ');
         const std::string word = line.substr(0, blank);
         const std::string rest = blank == std::string::npos ? "" : line.substr(blank + 1);
@@ -195,14 +184,6 @@ struct Measure {
 
 constexpr double relative_difference = 0.1;
 
-template <class T>
-T typed(const Value& value) {
-    Writer writer;
-    put_value(writer, value);
-    Reader reader(writer.bytes());
-    return get<T>(reader);
-}
-
 /// The origin of a ray: the height above the surface and the distance aside, in errors of the
 /// point. A right start is less than ten errors above.
 std::vector<Measure> start_of(const ShadingPoint& surface, Vec3 start) {
@@ -258,13 +239,12 @@ std::vector<Measure> measures(const Light& light, Vec3 from, Vec3 point) {
 std::vector<Measure> measures(const Call& call, const Value& answer) {
     const std::vector<Value>& arguments = call.arguments;
     if (call.callee->name == "shadow_ray")
-        return measures(typed<ShadingPoint>(arguments[0]), typed<Vec3>(arguments[1]),
-                        typed<ShadowRay>(answer));
+        return measures(*as<ShadingPoint>(arguments[0]), *as<Vec3>(arguments[1]),
+                        *as<ShadowRay>(answer));
     if (call.callee->name == "mirrored")
-        return measures(typed<Ray>(arguments[0]), typed<ShadingPoint>(arguments[1]),
-                        typed<Ray>(answer));
+        return measures(*as<Ray>(arguments[0]), *as<ShadingPoint>(arguments[1]), *as<Ray>(answer));
     if (call.callee->name == "sample_light")
-        return measures(typed<Light>(arguments[0]), typed<Vec3>(arguments[1]), typed<Vec3>(answer));
+        return measures(*as<Light>(arguments[0]), *as<Vec3>(arguments[1]), *as<Vec3>(answer));
     return {};
 }
 

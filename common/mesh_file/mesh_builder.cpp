@@ -23,6 +23,15 @@ std::string counted(std::size_t count, const char* one, const char* many) {
     return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
+std::size_t hash(glm::dvec3 point) {
+    std::uint64_t hash = 0;
+    for (const double coordinate : {point.x, point.y, point.z}) {
+        hash = (hash ^ std::bit_cast<std::uint64_t>(coordinate)) * 0x9E3779B97F4A7C15u;
+        hash ^= hash >> 29U;
+    }
+    return std::size_t(hash ^ (hash >> 32U));
+}
+
 }  // namespace
 
 std::string no_such_vertex(std::int64_t index, std::uint64_t count) {
@@ -119,19 +128,6 @@ MeshFile MeshBuilder::take() {
     mesh_.normals.resize(mesh_.normals.empty() ? 0 : mesh_.vertices.size(), glm::dvec3(0));
     return std::move(mesh_);
 }
-
-namespace {
-
-std::size_t hash(glm::dvec3 point) {
-    std::uint64_t hash = 0;
-    for (const double coordinate : {point.x, point.y, point.z}) {
-        hash = (hash ^ std::bit_cast<std::uint64_t>(coordinate)) * 0x9E3779B97F4A7C15u;
-        hash ^= hash >> 29U;
-    }
-    return std::size_t(hash ^ (hash >> 32U));
-}
-
-}  // namespace
 
 std::uint32_t& Welder::slot_of(glm::dvec3 point) {
     std::size_t at = hash(point) & (slots_.size() - 1);

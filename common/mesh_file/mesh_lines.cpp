@@ -42,6 +42,20 @@ bool take_parsed(std::string_view& line, const std::from_chars_result& parsed) {
     return true;
 }
 
+glm::dvec3 take_three(std::string_view& line, const char* what, const MeshLines& lines,
+                      std::optional<double> (*take)(std::string_view& line)) {
+    glm::dvec3 result(0);
+    for (int i = 0; i < 3; ++i) {
+        const auto number = take(line);
+        if (!number) {
+            lines.refuse(std::string(what) + " must be three numbers up to 3.4e38, not " +
+                         quoted(take_word(line)));
+        }
+        result[i] = *number;
+    }
+    return result;
+}
+
 }  // namespace
 
 void blank_byte_order_mark(std::string& content) {
@@ -163,24 +177,6 @@ std::optional<double> take_number_or_nan(std::string_view& line) {
     line = rest;
     return std::numeric_limits<double>::quiet_NaN();
 }
-
-namespace {
-
-glm::dvec3 take_three(std::string_view& line, const char* what, const MeshLines& lines,
-                      std::optional<double> (*take)(std::string_view& line)) {
-    glm::dvec3 result(0);
-    for (int i = 0; i < 3; ++i) {
-        const auto number = take(line);
-        if (!number) {
-            lines.refuse(std::string(what) + " must be three numbers up to 3.4e38, not " +
-                         quoted(take_word(line)));
-        }
-        result[i] = *number;
-    }
-    return result;
-}
-
-}  // namespace
 
 glm::dvec3 take_point(std::string_view& line, const char* what, const MeshLines& lines) {
     return take_three(line, what, lines, take_number);

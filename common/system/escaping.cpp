@@ -15,6 +15,35 @@ std::string hexadecimal(char byte) {
     return {digits[value / 16], digits[value % 16]};
 }
 
+bool in(unsigned code, unsigned first, unsigned last) {
+    return first <= code && code <= last;
+}
+
+bool is_readable(unsigned code) {
+    const bool turns = in(code, 0x202a, 0x202e) || in(code, 0x2066, 0x2069);
+    const bool controls = (code < 0x20 && code != '\n' && code != '\t') || in(code, 0x7f, 0x9f);
+    const bool is_none = in(code, 0xd800, 0xdfff) || (code & 0xfffe) == 0xfffe || code > 0x10ffff;
+    return !turns && !controls && !is_none;
+}
+
+/// The bytes of the character that the text starts with, if it is readable; or 0.
+std::size_t character(std::string_view text) {
+    const auto byte = [&](std::size_t i) {
+        return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
+    };
+    const unsigned first = byte(0);
+    if (first < 0x80) return is_readable(first) ? 1 : 0;
+    if (!in(first, 0xc2, 0xf4)) return 0;
+    const std::size_t size = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+    unsigned code = first & (0xffu >> (size + 1));
+    for (std::size_t i = 1; i < size; ++i) {
+        if ((byte(i) & 0xc0) != 0x80) return 0;
+        code = (code << 6) | (byte(i) & 0x3f);
+    }
+    constexpr std::array<unsigned, 5> smallest{0, 0, 0x80, 0x800, 0x10000};
+    return code >= smallest.at(size) && is_readable(code) ? size : 0;
+}
+
 }  // namespace
 
 std::string quoted(std::string_view text) {
@@ -50,39 +79,6 @@ std::string shell_word(const std::string& word) {
     for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
     return "'" + text + "'";
 }
-
-namespace {
-
-bool in(unsigned code, unsigned first, unsigned last) {
-    return first <= code && code <= last;
-}
-
-bool is_readable(unsigned code) {
-    const bool turns = in(code, 0x202a, 0x202e) || in(code, 0x2066, 0x2069);
-    const bool controls = (code < 0x20 && code != '\n' && code != '\t') || in(code, 0x7f, 0x9f);
-    const bool is_none = in(code, 0xd800, 0xdfff) || (code & 0xfffe) == 0xfffe || code > 0x10ffff;
-    return !turns && !controls && !is_none;
-}
-
-/// The bytes of the character that the text starts with, if it is readable; or 0.
-std::size_t character(std::string_view text) {
-    const auto byte = [&](std::size_t i) {
-        return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
-    };
-    const unsigned first = byte(0);
-    if (first < 0x80) return is_readable(first) ? 1 : 0;
-    if (!in(first, 0xc2, 0xf4)) return 0;
-    const std::size_t size = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-    unsigned code = first & (0xffu >> (size + 1));
-    for (std::size_t i = 1; i < size; ++i) {
-        if ((byte(i) & 0xc0) != 0x80) return 0;
-        code = (code << 6) | (byte(i) & 0x3f);
-    }
-    constexpr std::array<unsigned, 5> smallest{0, 0, 0x80, 0x800, 0x10000};
-    return code >= smallest.at(size) && is_readable(code) ? size : 0;
-}
-
-}  // namespace
 
 std::string readable(std::string_view text) {
     std::string out;

@@ -5,7 +5,9 @@
 #include <array>
 #include <cstdio>
 #include <functional>
+#include <iterator>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +30,12 @@ namespace rt {
         at = end + 1;
     }
     return lines;
+}
+
+/// The words between the blanks of the text.
+[[nodiscard]] inline std::vector<std::string> words_of(const std::string& text) {
+    std::istringstream words(text);
+    return {std::istream_iterator<std::string>(words), {}};
 }
 
 /// What follows the word that the line starts with; nothing if it starts otherwise.

@@ -1,9 +1,9 @@
 #include "common/system/wrap.hpp"
 
 #include "common/system/terminal.hpp"
+#include "common/system/text.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 namespace rt {
 
@@ -23,7 +23,12 @@ bool opens_numbers(const std::string& line, std::size_t brace) {
     return line[brace] == '{' && end != std::string::npos && line[end] == '}';
 }
 
-/// The line, or what fits of it before "…".
+}  // namespace
+
+std::size_t columns_of(const std::string& text) {
+    return std::size_t(std::ranges::count_if(text, begins_character));
+}
+
 std::string shortened(const std::string& line, int columns) {
     int width = 0;
     std::size_t end = line.size();  // of what leaves a column free
@@ -33,12 +38,6 @@ std::string shortened(const std::string& line, int columns) {
         if (width > columns) return line.substr(0, end) + "…";
     }
     return line;
-}
-
-}  // namespace
-
-std::size_t columns_of(const std::string& text) {
-    return std::size_t(std::ranges::count_if(text, begins_character));
 }
 
 std::string wrapped(const std::string& line, int columns) {
@@ -90,10 +89,9 @@ std::string wrapped_code(const std::string& line) {
 }
 
 std::string wrapped_diagnostic(const std::string& text, int columns) {
-    std::istringstream lines(text);
     std::string all;
-    for (std::string line; std::getline(lines, line); all += '\n')
-        all += line.starts_with(' ') ? shortened(line, columns) : wrapped(line, columns);
+    for (const std::string& line : lines_of(text))
+        all += (line.starts_with(' ') ? shortened(line, columns) : wrapped(line, columns)) + '\n';
     return all;
 }
 
@@ -104,10 +102,10 @@ std::string wrapped_diagnostic(const std::string& text) {
 
 std::string wrapped_page(const std::string& text, std::size_t column) {
     const int columns = std::max(terminal_columns(), narrowest);
-    std::istringstream lines(text);
     std::string page;
-    for (std::string line; std::getline(lines, line); page += '\n')
-        page += line.starts_with(' ') ? wrapped(line, columns, column) : wrapped(line, columns);
+    for (const std::string& line : lines_of(text))
+        page += (line.starts_with(' ') ? wrapped(line, columns, column) : wrapped(line, columns)) +
+                '\n';
     return page;
 }
 

@@ -9,6 +9,9 @@ namespace rt {
 /// The number of characters of a text in UTF-8.
 [[nodiscard]] std::size_t columns_of(const std::string& text);
 
+/// The line, or what fits of it before "…".
+[[nodiscard]] std::string shortened(const std::string& line, int columns);
+
 /// The line, broken at spaces outside of quoted texts, so that a line of C++ can be pasted still;
 /// not among the numbers of a vector nor beside "=". Continued lines are indented by four more. A
 /// part without such a space stays longer.

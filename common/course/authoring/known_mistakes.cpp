@@ -3,6 +3,7 @@
 #include "common/system/input_error.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <sstream>

@@ -33,16 +33,6 @@ constexpr std::array<const char*, stage_names.size()> brings = {
 };
 static_assert(brings.back() != nullptr, "a stage has no line here");
 
-/// The text, cut to that many columns, if the standard output is a terminal.
-std::string cut(const std::string& text, int columns) {
-    std::vector<std::size_t> starts;  // of its characters, in UTF-8
-    for (std::size_t i = 0; i < text.size(); ++i)
-        if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) starts.push_back(i);
-    const auto most = std::size_t(std::max(columns, 2));
-    if (!output_on_terminal() || starts.size() <= most) return text;
-    return text.substr(0, starts[most - 1]) + "…";
-}
-
 }  // namespace
 
 void show_progress() {
@@ -57,9 +47,10 @@ void show_progress() {
         line.resize(line.size() + 24 - stage_name(stage).size(), ' ');
         line += workbook.state() == State::untouched ? tr(brings[std::size_t(stage - 1)])
                                                      : workbook.summary();
-        line = mark + cut(line, terminal_columns() - 1);
-        print_line(workbook.state() == State::done ? styled(line, Style::good).c_str()
-                   : stage == current              ? styled(line, Style::bold).c_str()
+        if (output_on_terminal()) line = shortened(line, std::max(terminal_columns() - 1, 2));
+        line = mark + line;
+        print_line(workbook.state() == State::done ? styled(line, Style::good)
+                   : stage == current              ? styled(line, Style::bold)
                                                    : line);
     }
 }

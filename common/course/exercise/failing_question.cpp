@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <regex>
-#include <sstream>
 
 namespace rt {
 
@@ -13,9 +12,8 @@ namespace {
 
 /// "--term specular" of "save it to render it, with --term specular and …".
 Command options_in(const std::string& line) {
-    Command options;
-    std::istringstream words(line.substr(std::min(line.find("--"), line.size())));
-    for (std::string word; words >> word && word != "and";) options.push_back(word);
+    Command options = words_of(line.substr(std::min(line.find("--"), line.size())));
+    options.erase(std::ranges::find(options, "and"), options.end());
     return options;
 }
 

@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <tuple>
 
 namespace rt {
@@ -15,11 +13,6 @@ namespace rt {
 namespace {
 
 using Known = std::map<std::string, KnownFailure>;
-
-std::set<std::string> words_of(const std::string& text) {
-    std::istringstream in(text);
-    return {std::istream_iterator<std::string>(in), {}};
-}
 
 /// The digests of the questions, which begin those of the failures (tests/kit/report.hpp).
 std::set<std::string> questions_in(const std::string& failures) {
@@ -38,7 +31,8 @@ void read_probes(const fs::path& file, Known& known,
             const std::size_t colon = rest->find(": ");
             if (colon == std::string::npos) continue;
             cases.push_back(rest->substr(colon + 2));
-            calls[cases.back()] = words_of(rest->substr(0, colon));
+            const std::vector<std::string> called = words_of(rest->substr(0, colon));
+            calls[cases.back()] = {called.begin(), called.end()};
         }
         const auto marks = after("fails ", line);
         if (!marks) continue;

@@ -4,7 +4,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <sstream>
 
 namespace rt {
 
@@ -15,8 +14,8 @@ using Failures = std::map<std::string, std::string>;
 
 void add_failures(const std::string& digests, Failures& failures) {
     constexpr std::size_t digits = 8;
-    std::istringstream words(digests);
-    for (std::string each; words >> each;) failures[each.substr(0, digits)] = each.substr(digits);
+    for (const std::string& each : words_of(digests))
+        failures[each.substr(0, digits)] = each.substr(digits);
 }
 
 struct KnownTrace {

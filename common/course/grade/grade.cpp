@@ -308,6 +308,13 @@ Outcome grade(const Order& order, const fs::path& folder) {
     return failed ? Outcome::failed : Outcome::judged;
 }
 
+std::string edition_of(const fs::path& results, const fs::path& project) {
+    const std::string edition = today() + ", Raysteps " + version(project);
+    if (!fs::exists(seed_file(results))) return edition;
+    return tr("{edition}, seed {seed}",
+              {{"edition", edition}, {"seed", seed_identifier(read_seed(seed_file(results)))}});
+}
+
 }  // namespace
 
 Outcome grade(const Order& order) {
@@ -335,17 +342,6 @@ Outcome grade(const Order& order) {
     report_changes(order.results, size_before);
     return outcome;
 }
-
-namespace {
-
-std::string edition_of(const fs::path& results, const fs::path& project) {
-    const std::string edition = today() + ", Raysteps " + version(project);
-    if (!fs::exists(seed_file(results))) return edition;
-    return tr("{edition}, seed {seed}",
-              {{"edition", edition}, {"seed", seed_identifier(read_seed(seed_file(results)))}});
-}
-
-}  // namespace
 
 void read_terminal_language(const fs::path& project) {
     forget_translations();

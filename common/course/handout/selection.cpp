@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <regex>
-#include <sstream>
 #include <string_view>
 
 namespace rt {
@@ -36,65 +35,9 @@ std::string without_answers(const std::string& text) {
 }
 
 /// The words of a text with a blank between them: lines of an item are indented in a page.
-std::string words_of(const std::string& text) {
-    std::istringstream in(text);
-    std::string words;
-    for (std::string word; in >> word;) words += (words.empty() ? "" : " ") + word;
-    return words;
+std::string on_one_line(const std::string& text) {
+    return joined(words_of(text), {}, " ");
 }
-
-}  // namespace
-
-void select_stages(Selection& selection, const std::string& stages) {
-    const auto found = find_stages(stages);
-    if (!found)
-        throw InputError(
-            {}, "handout: --stages: expected stages, such as 1-5,9, not \"" + stages + "\"");
-    selection.stages = *found;
-}
-
-void select_language(Selection& selection, const std::string& language) {
-    std::string known;
-    for (const auto& folder : fs::directory_iterator(project_folder / "lang")) {
-        const std::string name = folder.path().filename().string();
-        if (!fs::exists(folder.path() / "book.po")) continue;
-        known += (known.empty() ? "" : ", ") + name;
-        if (name == language) selection.language = language;
-    }
-    if (selection.language.empty())
-        throw InputError({}, "handout: --lang: expected a language of the pages (" + known +
-                                 "), not \"" + language + "\"");
-    const Command question{"sh", "-c", "command -v po4a && command -v python3"};
-    if (run_captured(question, std::chrono::seconds(10)).status != 0)
-        throw InputError({}, "handout: --lang " + language + " needs po4a: apt-get install po4a");
-}
-
-bool is_selected(const Selection& selection, const std::string& path) {
-    std::smatch stage;
-    const std::regex of_stage(
-        R"((?:docs/step(\d\d)_\w+\.md|steps/step(\d\d)_\w+/(?:starter/.*|hints\.md)))");
-    if (!std::regex_match(path, stage, of_stage)) return true;
-    const int number = std::stoi(stage[1].matched ? stage[1] : stage[2]);
-    return selection.stages.empty() || selection.stages.contains(number);
-}
-
-std::string selected_text(const Selection& selection, const std::string& path,
-                          const std::string& text) {
-    if (path.ends_with("/hints.md")) return with_hints(text, selection.hints);
-    return selection.answers ? text : without_answers(text);
-}
-
-std::string selected_entries(const std::string& catalogue, const std::string& page) {
-    const std::string words = words_of(page);
-    std::string selected;
-    for (const CatalogueEntry& entry : catalogue_entries(catalogue))
-        if (!entry.lines.starts_with("#~") &&
-            words.find(words_of(entry.english)) != std::string::npos)
-            selected += (selected.empty() ? "" : "\n") + entry.lines;
-    return selected;
-}
-
-namespace {
 
 /// Not exact, which has the stages' formulas in certified arithmetic; no student grades.
 constexpr auto rooms = std::to_array<std::string_view>({
@@ -141,18 +84,6 @@ constexpr const char* of_other_folders =
     R"(|tests/(CMakeLists\.txt|suites/.*|kit/.*|programs/pictures/[^/]*\.png))"
     R"(|tests/mistakes/\w*/(probes|trace)\.txt))";
 
-}  // namespace
-
-bool is_for_students(const std::string& path) {
-    if (path.find("/.") != std::string::npos) return false;
-    const std::string folder = fs::path(path).parent_path().string();
-    if (std::ranges::find(rooms, folder) != rooms.end()) return path != solved;
-    static const std::regex others(of_other_folders);
-    return std::regex_match(path, others);
-}
-
-namespace {
-
 /// True for the path of a missing file, with a folder. Anything else may be code: `[&](int i)`.
 bool leads_nowhere(const std::string& address, const fs::path& folder) {
     const std::string file = address.substr(0, address.find('#'));
@@ -161,6 +92,63 @@ bool leads_nowhere(const std::string& address, const fs::path& folder) {
 }
 
 }  // namespace
+
+void select_stages(Selection& selection, const std::string& stages) {
+    const auto found = find_stages(stages);
+    if (!found)
+        throw InputError(
+            {}, "handout: --stages: expected stages, such as 1-5,9, not \"" + stages + "\"");
+    selection.stages = *found;
+}
+
+void select_language(Selection& selection, const std::string& language) {
+    std::string known;
+    for (const auto& folder : fs::directory_iterator(project_folder / "lang")) {
+        const std::string name = folder.path().filename().string();
+        if (!fs::exists(folder.path() / "book.po")) continue;
+        known += (known.empty() ? "" : ", ") + name;
+        if (name == language) selection.language = language;
+    }
+    if (selection.language.empty())
+        throw InputError({}, "handout: --lang: expected a language of the pages (" + known +
+                                 "), not \"" + language + "\"");
+    const Command question{"sh", "-c", "command -v po4a && command -v python3"};
+    if (run_captured(question, std::chrono::seconds(10)).status != 0)
+        throw InputError({}, "handout: --lang " + language + " needs po4a: apt-get install po4a");
+}
+
+bool is_selected(const Selection& selection, const std::string& path) {
+    std::smatch stage;
+    const std::regex of_stage(
+        R"((?:docs/step(\d\d)_\w+\.md|steps/step(\d\d)_\w+/(?:starter/.*|hints\.md)))");
+    if (!std::regex_match(path, stage, of_stage)) return true;
+    const int number = std::stoi(stage[1].matched ? stage[1] : stage[2]);
+    return selection.stages.empty() || selection.stages.contains(number);
+}
+
+std::string selected_text(const Selection& selection, const std::string& path,
+                          const std::string& text) {
+    if (path.ends_with("/hints.md")) return with_hints(text, selection.hints);
+    return selection.answers ? text : without_answers(text);
+}
+
+std::string selected_entries(const std::string& catalogue, const std::string& page) {
+    const std::string words = on_one_line(page);
+    std::string selected;
+    for (const CatalogueEntry& entry : catalogue_entries(catalogue))
+        if (!entry.lines.starts_with("#~") &&
+            words.find(on_one_line(entry.english)) != std::string::npos)
+            selected += (selected.empty() ? "" : "\n") + entry.lines;
+    return selected;
+}
+
+bool is_for_students(const std::string& path) {
+    if (path.find("/.") != std::string::npos) return false;
+    const std::string folder = fs::path(path).parent_path().string();
+    if (std::ranges::find(rooms, folder) != rooms.end()) return path != solved;
+    static const std::regex others(of_other_folders);
+    return std::regex_match(path, others);
+}
 
 std::string with_live_links(const std::string& page, const fs::path& folder) {
     std::string text;

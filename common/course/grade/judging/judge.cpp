@@ -110,6 +110,23 @@ void name_trace_mistakes(const Grading& grading, const std::vector<CaseMark>& ca
         mark.mistake += (mark.mistake.empty() ? "" : "\n") + each.sentence;
 }
 
+/// The part of the picture that the student's own stages draw.
+std::optional<PictureMark> picture_of(const Grading& grading, int stage, const fs::path& worker,
+                                      const fs::path& file) {
+    // In the workshop first: a worker without an answer and a full disk are different failures.
+    const fs::path drawn = worker.parent_path() / file.filename();
+    const ProcessResult ending = run_asking(
+        grading, stage, {"ask_picture", worker.string(), name_of(stage), drawn.string()}, {});
+    PictureMark mark{.file = file.filename()};
+    if (std::sscanf(ending.output.c_str(), "%d %d", &mark.pixels, &mark.different) != 2) {
+        check_space(drawn.parent_path());
+        return {};
+    }
+    copy_whole(drawn, file);
+    fs::remove(drawn);
+    return mark;
+}
+
 }  // namespace
 
 void compile_reference(const Grading& grading, int stage) {
@@ -142,27 +159,6 @@ ReferenceResult judge_reference(const Grading& grading, int stage, const fs::pat
     reference_result.key = sha256_of_all(grading.seed, suites, read_text(reference_result.worker));
     return reference_result;
 }
-
-namespace {
-
-/// The part of the picture that the student's own stages draw.
-std::optional<PictureMark> picture_of(const Grading& grading, int stage, const fs::path& worker,
-                                      const fs::path& file) {
-    // In the workshop first: a worker without an answer and a full disk are different failures.
-    const fs::path drawn = worker.parent_path() / file.filename();
-    const ProcessResult ending = run_asking(
-        grading, stage, {"ask_picture", worker.string(), name_of(stage), drawn.string()}, {});
-    PictureMark mark{.file = file.filename()};
-    if (std::sscanf(ending.output.c_str(), "%d %d", &mark.pixels, &mark.different) != 2) {
-        check_space(drawn.parent_path());
-        return {};
-    }
-    copy_whole(drawn, file);
-    fs::remove(drawn);
-    return mark;
-}
-
-}  // namespace
 
 Mark Judge::mark(SubmissionJob& job, int stage) {
     const ReferenceResult& reference_result = yardsticks_.at(stage);

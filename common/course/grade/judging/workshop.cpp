@@ -257,6 +257,27 @@ constexpr const char* short_of_memory =
     " was killed, through no limit of the sandbox: this machine has too little memory left. The "
     "same command judges it again\n";
 
+/// A single file is linked to the functions that it may call. Several files were linked this way
+/// one by one; together, they are linked to the references of all other files.
+std::vector<fs::path> parts_of(const BuildDirectory& workshop, int stage,
+                               const std::map<GradedFile, fs::path>& objects) {
+    const fs::path seats = workshop.folder / "seats";
+    if (objects.empty())
+        return {seats / "graded" / (name_of(stage) + ".o"), reference_of(workshop, stage)};
+    if (objects.size() == 1 && objects.begin()->first.stage == stage)
+        return {seats / "graded" / (name_of(objects.begin()->first) + ".o"),
+                objects.begin()->second};
+    std::vector<GradedFile> files{GradedFile(stage, true)};
+    for (int each = 1; each <= int(stage_names.size()); ++each) files.emplace_back(each);
+    std::vector<fs::path> parts{seats / (name_of(stage) + ".o")};
+    for (const GradedFile each : files) {
+        const auto own = objects.find(each);
+        const fs::path part = own == objects.end() ? reference_of(workshop, each) : own->second;
+        if (fs::exists(part)) parts.push_back(part);  // stage 13's is not, without OpenMesh
+    }
+    return parts;
+}
+
 }  // namespace
 
 void check_executable(const fs::path& folder) {
@@ -395,31 +416,6 @@ Build compile_submission(const BuildDirectory& workshop, GradedFile graded, cons
     }
     return {.succeeded = true};
 }
-
-namespace {
-
-/// A single file is linked to the functions that it may call. Several files were linked this way
-/// one by one; together, they are linked to the references of all other files.
-std::vector<fs::path> parts_of(const BuildDirectory& workshop, int stage,
-                               const std::map<GradedFile, fs::path>& objects) {
-    const fs::path seats = workshop.folder / "seats";
-    if (objects.empty())
-        return {seats / "graded" / (name_of(stage) + ".o"), reference_of(workshop, stage)};
-    if (objects.size() == 1 && objects.begin()->first.stage == stage)
-        return {seats / "graded" / (name_of(objects.begin()->first) + ".o"),
-                objects.begin()->second};
-    std::vector<GradedFile> files{GradedFile(stage, true)};
-    for (int each = 1; each <= int(stage_names.size()); ++each) files.emplace_back(each);
-    std::vector<fs::path> parts{seats / (name_of(stage) + ".o")};
-    for (const GradedFile each : files) {
-        const auto own = objects.find(each);
-        const fs::path part = own == objects.end() ? reference_of(workshop, each) : own->second;
-        if (fs::exists(part)) parts.push_back(part);  // stage 13's is not, without OpenMesh
-    }
-    return parts;
-}
-
-}  // namespace
 
 Build link_worker(const BuildDirectory& workshop, int stage,
                   const std::map<GradedFile, fs::path>& objects, const fs::path& worker) {

@@ -18,6 +18,9 @@ const std::string& style() {
     return text;
 }
 
+constexpr std::size_t most_rows = 15;
+constexpr std::size_t most_folded = 200;
+
 }  // namespace
 
 std::string escaped(std::string_view text) {
@@ -65,13 +68,6 @@ std::string data_address(std::string_view kind, std::string_view bytes) {
     }
     return out;
 }
-
-namespace {
-
-constexpr std::size_t most_rows = 15;
-constexpr std::size_t most_folded = 200;
-
-}  // namespace
 
 std::string text_cell(const std::string& text) {
     return "<td class=\"text\">" + escaped(text) + "</td>";

@@ -115,6 +115,37 @@ bool has_feedback_alone(const fs::path& folder) {
            ++each == fs::directory_iterator();
 }
 
+constexpr const char* columns_of_changes = "date,student,stage,before,after,why";
+
+/// The change of one of the files, by its hashes; empty if it is the same.
+std::string change_of(GradedFile file, const std::string& before, const std::string& after) {
+    if (before == after) return "";
+    return file_name(file) + (before.empty()  ? " is new"
+                              : after.empty() ? " is missing"
+                                              : " is another");
+}
+
+std::string why(const Mark& before, const Mark& after) {
+    if (after.key.empty()) return "could not be graded; it will be judged again";
+    if (before.key.empty()) return "could not be graded before";
+    const std::string file = change_of(after.stage, before.source, after.source);
+    const std::string trace =
+        change_of({after.stage, true}, before.trace_source, after.trace_source);
+    if (!file.empty() || !trace.empty())
+        return file + (file.empty() || trace.empty() ? "" : ", ") + trace;
+    return "the same files: the suite, a reference or the seed has changed";
+}
+
+constexpr const char* classes_file = ".classes";
+
+std::string line_of(const fs::path& place, const std::string& student) {
+    return sha256(fs::canonical(place).string()) + " " + student;
+}
+
+bool contains(const std::vector<std::string>& classes, const std::string& line) {
+    return std::ranges::find(classes, line) != classes.end();
+}
+
 }  // namespace
 
 int Mark::points() const {
@@ -232,31 +263,6 @@ std::vector<std::string> missing_marks(const fs::path& results, const std::vecto
     return missing;
 }
 
-namespace {
-
-constexpr const char* columns_of_changes = "date,student,stage,before,after,why";
-
-/// The change of one of the files, by its hashes; empty if it is the same.
-std::string change_of(GradedFile file, const std::string& before, const std::string& after) {
-    if (before == after) return "";
-    return file_name(file) + (before.empty()  ? " is new"
-                              : after.empty() ? " is missing"
-                                              : " is another");
-}
-
-std::string why(const Mark& before, const Mark& after) {
-    if (after.key.empty()) return "could not be graded; it will be judged again";
-    if (before.key.empty()) return "could not be graded before";
-    const std::string file = change_of(after.stage, before.source, after.source);
-    const std::string trace =
-        change_of({after.stage, true}, before.trace_source, after.trace_source);
-    if (!file.empty() || !trace.empty())
-        return file + (file.empty() || trace.empty() ? "" : ", ") + trace;
-    return "the same files: the suite, a reference or the seed has changed";
-}
-
-}  // namespace
-
 void record_change(const fs::path& results, const Mark& before, const Mark& after) {
     if (before.points() == after.points()) return;
     static std::mutex mutex;
@@ -285,20 +291,6 @@ std::vector<std::string> changes_since(const fs::path& results, std::uintmax_t s
     if (size == 0 && !lines.empty()) lines.erase(lines.begin());  // the headings
     return lines;
 }
-
-namespace {
-
-constexpr const char* classes_file = ".classes";
-
-std::string line_of(const fs::path& place, const std::string& student) {
-    return sha256(fs::canonical(place).string()) + " " + student;
-}
-
-bool contains(const std::vector<std::string>& classes, const std::string& line) {
-    return std::ranges::find(classes, line) != classes.end();
-}
-
-}  // namespace
 
 bool is_graded_at(const fs::path& results, const fs::path& place, const std::string& student) {
     const std::vector<std::string> classes = lines_in(results / classes_file);

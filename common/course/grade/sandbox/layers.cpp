@@ -98,31 +98,6 @@ Layer layer_of_users() {
             true};
 }
 
-}  // namespace
-
-std::vector<Layer> layers() {
-    const std::string version = std::to_string(Landlock::version());
-    return {
-        {"system calls are filtered (seccomp)", holds(calls_are_filtered), true},
-        {"files are out of reach (Landlock, version " + version + ")",
-         holds(files_are_out_of_reach), true},
-        {"time, memory and output are limited", holds(memory_is_limited), true},
-        {"processes and threads are limited", holds(processes_are_limited), true},
-        layer_of_users(),
-        {"namespaces of its own for each worker",
-         holds([] { return take_namespaces(Work::answering); })},
-        {"processes, network and mounts of its own for each compiler",
-         holds([] { return take_namespaces(Work::building); })},
-    };
-}
-
-bool hold(const std::vector<Layer>& layers) {
-    return std::ranges::all_of(layers,
-                               [](const Layer& layer) { return layer.holds || !layer.needed; });
-}
-
-namespace {
-
 // Newer constants of the kernel, for older headers.
 struct Attributes {
     std::uint64_t files = 0;
@@ -154,6 +129,27 @@ unsigned long rights_of(int version) {
 }
 
 }  // namespace
+
+std::vector<Layer> layers() {
+    const std::string version = std::to_string(Landlock::version());
+    return {
+        {"system calls are filtered (seccomp)", holds(calls_are_filtered), true},
+        {"files are out of reach (Landlock, version " + version + ")",
+         holds(files_are_out_of_reach), true},
+        {"time, memory and output are limited", holds(memory_is_limited), true},
+        {"processes and threads are limited", holds(processes_are_limited), true},
+        layer_of_users(),
+        {"namespaces of its own for each worker",
+         holds([] { return take_namespaces(Work::answering); })},
+        {"processes, network and mounts of its own for each compiler",
+         holds([] { return take_namespaces(Work::building); })},
+    };
+}
+
+bool hold(const std::vector<Layer>& layers) {
+    return std::ranges::all_of(layers,
+                               [](const Layer& layer) { return layer.holds || !layer.needed; });
+}
 
 int Landlock::version() {
     const long version =
