@@ -1,8 +1,7 @@
 #!/bin/sh
 # matrix.sh [stage] [build folder] [log]: runs every known mistake of a stage, or of all, and prints
 # the case of the stage's suite that catches it, for each precision: in float for the first of each
-# suite only, unless the build has -DRAYSTEPS_MISTAKES=both. All must be built. With the log of a
-# run of ctest, it runs nothing.
+# suite only. All must be built. With the log of a run of ctest, it runs nothing.
 set -u
 root=$(CDPATH='' cd -- "$(dirname "$0")/.." && pwd -P) || exit 2
 build=${2-$root/build}

@@ -1,13 +1,12 @@
 # In a hand-out, sources that contain a solution are replaced by an archive of their objects.
-
-# raysteps_archive(<name> <folder> <source>...): defines x86_64/f32.a and f64.a, or those of another
-# kind of processor, for this folder of a hand-out: the sources compiled again, for all processors of
-# the kind. The target `archives` builds them all, in the folder archives/ of the build.
+# raysteps_archive(<name> <folder> <source>...): x86_64/f32.a and f64.a, or those of another kind of
+# processor, for this folder of a hand-out: the sources compiled again, for all processors of the kind. The
+# target `archives` builds them all, in the folder archives/ of the build.
 add_custom_target(archives)
 function(raysteps_archive name folder)
     foreach(precision IN ITEMS f32 f64)
         set(archive ${name}_archive_${precision})
-        raysteps_target(${archive} STATIC ON_DEMAND WHOLE SOURCES ${ARGN})
+        raysteps_target(${archive} STATIC ON_DEMAND SOURCES ${ARGN})
         set_target_properties(${archive} PROPERTIES RAYSTEPS_ANY_PROCESSOR ON
             ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/archives/${folder}/${CMAKE_SYSTEM_PROCESSOR}
             PREFIX "" OUTPUT_NAME ${precision} SUFFIX .a)

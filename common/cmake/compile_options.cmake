@@ -97,22 +97,22 @@ function(raysteps_both command)
     endforeach()
 endfunction()
 
-# raysteps_target(<name> [OBJECT | STATIC] [ON_DEMAND] [APART | WHOLE] SOURCES <source>...
-#     [EXCEPT <stem>...] [LIBRARIES <library>...] [PARTS <part>...] [OPTIONS <option>...]
+# raysteps_target(<name> [OBJECT | STATIC] [ON_DEMAND] [APART] SOURCES <source>... [EXCEPT <stem>...]
+#     [FOLDERS <folder[|folder]>...] [LIBRARIES <library>...] [PARTS <part>...] [OPTIONS <option>...]
 #     [DEFINITIONS <definition>...] [HEADERS <target>] [NEEDS <target>...]): a program, or a library. With
 # _f32 or _float in its name, its Real is float.
 #
-# SOURCES    files, or patterns of files, without those EXCEPT
+# SOURCES    files, or patterns of files, without those EXCEPT. They are compiled as one (CMake's unity
+#            build), so that the headers that they share are read once: a first build takes half the time.
+#            Those in FOLDERS are compiled as one for each word, so that a program can be linked without
+#            what they call; with APART, and with -DCMAKE_UNITY_BUILD=OFF, each file is compiled alone. Two
+#            sources that are compiled as one cannot give a helper the same name.
 # PARTS      are linked: <part>_f32 or <part>_f64 of each
 # HEADERS    the target from whose precompiled headers it starts
 # ON_DEMAND  it is built by name only
-# WHOLE      All sources are compiled as one; APART, each alone. By default each folder's are compiled as
-#            one (CMake's unity build), so that the headers that they share are read once: a first build
-#            takes half the time. Two sources that are compiled as one cannot give a helper the same name.
-#            -DCMAKE_UNITY_BUILD=OFF compiles each alone.
 function(raysteps_target name)
-    cmake_parse_arguments(PARSE_ARGV 1 the "OBJECT;STATIC;ON_DEMAND;APART;WHOLE" "HEADERS"
-        "SOURCES;EXCEPT;LIBRARIES;PARTS;OPTIONS;DEFINITIONS;NEEDS")
+    cmake_parse_arguments(PARSE_ARGV 1 the "OBJECT;STATIC;ON_DEMAND;APART" "HEADERS"
+        "SOURCES;EXCEPT;FOLDERS;LIBRARIES;PARTS;OPTIONS;DEFINITIONS;NEEDS")
     set(patterns ${the_SOURCES})
     list(FILTER patterns INCLUDE REGEX "[*]")
     list(FILTER the_SOURCES EXCLUDE REGEX "[*]")
@@ -152,24 +152,16 @@ function(raysteps_target name)
     if(NOT the_APART AND NOT DEFINED CMAKE_UNITY_BUILD)
         set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
     endif()
-    if(the_APART OR the_WHOLE)
-        return()
+    if(the_FOLDERS)
+        set_target_properties(${name} PROPERTIES UNITY_BUILD_MODE GROUP)
+        set_property(SOURCE ${the_SOURCES} TARGET_DIRECTORY ${name} PROPERTY UNITY_GROUP rest)
     endif()
-    set_target_properties(${name} PROPERTIES UNITY_BUILD_MODE GROUP)
-    foreach(source IN LISTS the_SOURCES)
-        cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE path)
-        cmake_path(GET path PARENT_PATH folder)
-        cmake_path(GET folder FILENAME folder)
-        set_property(SOURCE ${source} TARGET_DIRECTORY ${name} PROPERTY UNITY_GROUP ${folder})
+    foreach(folders IN LISTS the_FOLDERS)
+        set(sources ${the_SOURCES})
+        list(FILTER sources INCLUDE REGEX "(^|/)(${folders})/[^/]*$")
+        string(MAKE_C_IDENTIFIER ${folders} group)
+        set_property(SOURCE ${sources} TARGET_DIRECTORY ${name} PROPERTY UNITY_GROUP ${group})
     endforeach()
-endfunction()
-
-# raysteps_compile_together(<target> <folder>...): compiles the sources of these folders as one.
-function(raysteps_compile_together target)
-    get_target_property(sources ${target} SOURCES)
-    list(JOIN ARGN "|" folders)
-    list(FILTER sources INCLUDE REGEX "(^|/)(${folders})/[^/]*$")
-    set_property(SOURCE ${sources} TARGET_DIRECTORY ${target} PROPERTY UNITY_GROUP ${target})
 endfunction()
 
 # raysteps_compile_twice(<name> <source>... [<option of raysteps_target>...]): two object libraries of the
@@ -178,8 +170,8 @@ function(raysteps_compile_twice name)
     raysteps_both(raysteps_target ${name}_@ OBJECT APART SOURCES ${ARGN})
 endfunction()
 
-# raysteps_precompile(<name> <option>... HEADERS <header>...): <name>_f32 and _f64, whose precompiled
-# headers other targets start from.
+# raysteps_precompile(<name> HEADERS <header>... [<option of raysteps_target>...]): <name>_f32 and _f64, from
+# whose precompiled headers other targets start.
 function(raysteps_precompile name)
     cmake_parse_arguments(PARSE_ARGV 1 the "" "" "OPTIONS;DEFINITIONS;HEADERS")
     set(none ${PROJECT_BINARY_DIR}/none.cpp)

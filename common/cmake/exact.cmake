@@ -11,16 +11,11 @@ function(raysteps_exact name)
     target_compile_definitions(${name}_f64 PRIVATE RT_EXACT)
 endfunction()
 
-# raysteps_common_f64 with packed meshes of certified triangles.
-file(GLOB RAYSTEPS_EXACT_MESH_BVH ${PROJECT_SOURCE_DIR}/steps/*/exact/mesh_bvh.cpp)
+# Packed meshes of certified triangles, which the linker prefers to those in libraysteps_with_shapes_f64.a.
 set(common ${PROJECT_SOURCE_DIR}/common)
+file(GLOB RAYSTEPS_EXACT_MESH_BVH ${PROJECT_SOURCE_DIR}/steps/*/exact/mesh_bvh.cpp)
 if(RAYSTEPS_EXACT_MESH_BVH)  # a hand-out has no kernels
     raysteps_exact(raysteps_exact_mesh_bvh ${common}/bvh/mesh_bvh.cpp ${RAYSTEPS_EXACT_MESH_BVH})
-    add_library(raysteps_exact_common_f64 INTERFACE)
-    target_link_libraries(raysteps_exact_common_f64 INTERFACE raysteps_choices)
-    target_sources(raysteps_exact_common_f64 INTERFACE $<TARGET_OBJECTS:raysteps_exact_mesh_bvh_f64>
-        $<TARGET_OBJECTS:raysteps_common_f64>
-        $<FILTER:$<TARGET_OBJECTS:raysteps_with_shapes_f64>,EXCLUDE,/mesh_bvh\\.cpp>)
     raysteps_exact(raysteps_exact_meshes ${common}/program/load_meshes.cpp)
     raysteps_exact(raysteps_exact_program ${common}/program/main.cpp
         DEFINITIONS RAYSTEPS_ROOT="${PROJECT_SOURCE_DIR}")
@@ -31,27 +26,26 @@ endif()
 # closest-hit query in main.cpp and in all files queries.cpp.
 function(raysteps_exact_program name meshes shared)
     raysteps_exact(${name}_exact_main ${CMAKE_CURRENT_SOURCE_DIR}/main.cpp)
+    set(exact ${name}_exact_main)
     add_library(${name}_exact_picture_f64 INTERFACE)
-    set(objects $<TARGET_OBJECTS:${name}_exact_main_f64>)
-    foreach(part IN LISTS shared meshes)
-        list(APPEND objects
-            "$<FILTER:$<TARGET_OBJECTS:${part}_f64>,EXCLUDE,/(queries|load_meshes)\\.cpp>")
-    endforeach()
-    set(common raysteps_common)
     if(meshes STREQUAL "raysteps_meshes")
-        set(common raysteps_exact_common)
-        list(APPEND objects $<TARGET_OBJECTS:raysteps_exact_meshes_f64>)
+        list(APPEND exact raysteps_exact_mesh_bvh raysteps_exact_meshes)
         target_link_libraries(${name}_exact_picture_f64 INTERFACE raysteps_mesh_file)
     endif()
     foreach(stage IN LISTS ARGN)
         if(TARGET ${stage}_exact_queries_f64)
-            list(APPEND objects $<TARGET_OBJECTS:${stage}_exact_queries_f64>)
+            list(APPEND exact ${stage}_exact_queries)
         endif()
     endforeach()
-    target_sources(${name}_exact_picture_f64 INTERFACE ${objects})
-
+    foreach(part IN LISTS exact)
+        target_sources(${name}_exact_picture_f64 INTERFACE $<TARGET_OBJECTS:${part}_f64>)
+    endforeach()
+    foreach(part IN LISTS shared meshes)
+        target_sources(${name}_exact_picture_f64 INTERFACE
+            "$<FILTER:$<TARGET_OBJECTS:${part}_f64>,EXCLUDE,/(queries|load_meshes)\\.cpp>")
+    endforeach()
     list(TRANSFORM ARGN APPEND _certified)
     raysteps_target(${name}_exact ON_DEMAND
         SOURCES $<TARGET_OBJECTS:raysteps_exact_program_f64> $<TARGET_OBJECTS:${name}_number>
-        PARTS ${ARGN} ${common} ${name}_exact_picture)
+        PARTS ${ARGN} ${name}_exact_picture raysteps_common)
 endfunction()

@@ -15,21 +15,15 @@ include(${CMAKE_CURRENT_LIST_DIR}/exact.cmake)
 #                    cases; by default it is one file, tests/suites/<stage>_test.cpp
 # PICTURES           scenes besides its own of which its suite compares the picture
 #
-# stepNN_name                    `run`'s program: the selected files of all stages. `check` draws with
-# stepNN_name_checked            the selected file of this stage and the references of the others, and
-# stepNN_name_reference_program  `compare`'s other picture comes from the references alone
-# stepNN_name_logging            is stepNN_name_checked with a student's main.cpp whose own calls of
-#                                `intersect` are logged by --pixel, for `explain`
-# stepNN_name_exact              from certified kernels: common/cmake/exact.cmake
+# docs/reference/building.md lists its programs. Their parts, each in f32, too:
 #
-# stepNN_name_reference_f64  objects of reference/*.cpp (and _f32), or a hand-out's archive
+# stepNN_name_reference_f64  objects of reference/*.cpp, or a hand-out's archive
 # stepNN_name_student_f64    objects of student/*.cpp, if there are any
 # stepNN_name_f64            the selected one of these two, by option
 # stepNN_name_certified_f64  objects of exact/*.cpp if there are any, or else the reference
 # stepNN_name_picture_f64    the stage's picture: the loop over the pixels, main.cpp, and the files that this
 #                            stage and earlier ones share with later ones: the others beside a main.cpp,
-#                            except story.cpp; and meshes or their refusal. Of two stages that share a
-#                            file of one name, the later one's is linked: it SHARES_ANEW
+#                            except story.cpp; and meshes or their refusal
 # stepNN_name_chosen_picture_f64        the same with student/main.cpp, if there is one, by the same option
 # stepNN_name_picture_without_main_f64  the same without either
 # stepNN_name_unity_f64      the picture and the references, compiled as unity builds: one for each kind of
@@ -68,23 +62,21 @@ function(raysteps_stage)
         set(student_starts_from HEADERS ${headers}_@)
         set(student_main_starts_from ${start_from_common})
     endif()
+    set(chosen reference)
+    set(chosen_main main)
     if(student)
         raysteps_compile_twice(${name}_student ${student} ${student_starts_from}
             OPTIONS ${students_errors} DEFINITIONS ${students_assertions})
+        set(chosen student)
     endif()
     if(student_main)
         raysteps_compile_twice(${name}_student_main ${student_main} ${student_main_starts_from}
             OPTIONS ${students_errors})
+        set(chosen_main student_main)
     endif()
-    set(chosen reference)
-    set(chosen_main main)
-    if(NOT RAYSTEPS_REFERENCE STREQUAL "all" AND NOT number IN_LIST RAYSTEPS_REFERENCE)
-        if(student)
-            set(chosen student)
-        endif()
-        if(student_main)
-            set(chosen_main student_main)
-        endif()
+    if(RAYSTEPS_REFERENCE STREQUAL "all" OR number IN_LIST RAYSTEPS_REFERENCE)
+        set(chosen reference)
+        set(chosen_main main)
     endif()
     raysteps_collect(${name} ${name}_${chosen})
 
@@ -221,5 +213,5 @@ endfunction()
 # raysteps_compile_as_one(<name> <part>...): <name>_f32 and _f64, the sources of all parts compiled as one.
 function(raysteps_compile_as_one name)
     list(TRANSFORM ARGN REPLACE "(.+)" "$<TARGET_PROPERTY:\\1_f64,SOURCES>" OUTPUT_VARIABLE sources)
-    raysteps_both(raysteps_target ${name}_@ OBJECT WHOLE SOURCES ${sources} HEADERS raysteps_common_@)
+    raysteps_both(raysteps_target ${name}_@ OBJECT SOURCES ${sources} HEADERS raysteps_common_@)
 endfunction()

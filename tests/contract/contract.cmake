@@ -16,7 +16,7 @@ endfunction()
 # the target <stage>_probes, which writes it.
 function(raysteps_recognition stage)
     raysteps_worker(${stage}_answers_worker "" ${stage}_answers ${stage}_context)
-    set(probes ${CMAKE_CURRENT_SOURCE_DIR}/mistakes/${stage}/probes.txt)
+    set(mistakes ${CMAKE_CURRENT_SOURCE_DIR}/mistakes/${stage})
     set(words ${PROJECT_SOURCE_DIR} ${stage}
         $<TARGET_FILE:${stage}_reference_worker> $<TARGET_FILE:${stage}_answers_worker>)
     set(names "--list-test-names-only")
@@ -25,7 +25,7 @@ function(raysteps_recognition stage)
     endif()
     raysteps_add_test(recognition_${stage} mistakes ""
         sh -c "suite=$1 && shift && \"$suite\" ${names} | \"$@\"" sh
-        $<TARGET_FILE:${stage}_test_double> $<TARGET_FILE:check_probes> ${probes} ${words}
+        $<TARGET_FILE:${stage}_test_double> $<TARGET_FILE:check_probes> ${mistakes}/probes.txt ${words}
         $<TARGET_FILE:${stage}_answers_test_double>)
 
     set(reports ${CMAKE_CURRENT_BINARY_DIR}/${stage}_reports)
@@ -35,9 +35,9 @@ function(raysteps_recognition stage)
             RAYSTEPS_REPORT=${reports}/reference.report
             RAYSTEPS_WORKER=$<TARGET_FILE:${stage}_reference_worker>
             $<TARGET_FILE:${stage}_asked_test_double>
-        COMMAND choose_probes ${reports} ${words} $<TARGET_FILE:${stage}_answers_test_double> > ${probes}
+        COMMAND choose_probes ${reports} ${words} $<TARGET_FILE:${stage}_answers_test_double> > ${mistakes}/probes.txt
         VERBATIM)
-    if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/mistakes/${stage}/trace.txt)
+    if(EXISTS ${mistakes}/trace.txt)
         raysteps_add_test(recognition_${stage}_trace mistakes ""
             sh ${CMAKE_CURRENT_SOURCE_DIR}/trace_mistakes.sh check ${folders} ${stage})
     endif()

@@ -1,17 +1,15 @@
-# raysteps_seat(<stage>): the link kit of a graded worker of the stage, for the student's own files, in
-# double. <file> is <stage>, the file of its functions, or <stage>_trace, its main.cpp:
+# raysteps_seat(<stage>): the target <stage>_seat, which makes the link kit of a graded worker of the
+# stage, for the student's own files, in double. <file> is <stage>, the file of its functions, or
+# <stage>_trace, its main.cpp:
 #
 # seats/<stage>.o             everything but the stages' own files and main.cpp, as one object
 # seats/references/<file>.o   the reference of each, for grading another
 # seats/graded/<file>.o       all of these but the graded file; it can call only the functions of
 #                             the headers in steps/may_include.txt
 # seats/graded/<file>.txt     the functions of all contracts, and their status for that file
-# seats/<stage>.txt           one per line: the options for compiling a file of the stage, those for a
-#                             file of functions only, and for linking, and with g++ the precompiled
-#                             headers of its functions and of any main.cpp, and options that make its
-#                             exit status that of the program that it ran: 128 + a signal
-#
-# <stage>_seat is the target that makes them.
+# seats/<stage>.txt           one per line: the options for compiling a file of the stage and for linking,
+#                             and with g++ its precompiled headers, and options that make its exit status
+#                             that of the program that it ran: 128 + a signal
 function(raysteps_seat stage)
     set(folder ${PROJECT_BINARY_DIR}/seats)
     set(objects $<TARGET_PROPERTY:${stage}_picture_without_main_f64,INTERFACE_SOURCES>)
@@ -37,8 +35,6 @@ function(raysteps_seat stage)
     add_custom_target(${stage}_seat DEPENDS ${made})
 
     set(few_errors $<IF:$<STREQUAL:${CMAKE_CXX_COMPILER_ID},Clang>,-ferror-limit=20,-fmax-errors=20>)
-    set(precompiled)
-    set(driver)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         raysteps_headers_of(${stage} start)
         get_target_property(common raysteps_common_f64 BINARY_DIR)
@@ -67,12 +63,11 @@ endfunction()
 
 # raysteps_graded_seat(<file> <stage> <own> <objects>): seats/graded/<file>.o and .txt, from the seat's
 # objects and all other files' references; <own> are the objects of the file's own reference. The file
-# may call the functions of the headers in steps/may_include.txt: those of todo.hpp are in todo.cpp. A
-# main.cpp may call the functions of all stages and of the worker's part of common/ too, but not the
-# loop over the pixels in common/render/render.cpp, and not the parts of its own stage that are not
-# listed, such as lighting.hpp. A file of functions is not linked to what computes the same for another
-# purpose, and what nothing calls in its worker: the stages' stories, which explain a hit, and before
-# the stage of meshes the hierarchy that draws them. tests/grading/seats_test.sh looks for them.
+# may call the functions of the headers in steps/may_include.txt. A main.cpp may call those of all stages
+# and of the worker's part of common/ too, but not the loop over the pixels in common/render/render.cpp,
+# and not the parts of its own stage that are not listed, such as lighting.hpp. A file of functions is not
+# linked to what computes the same and nothing calls in its worker: the stages' stories, and before the
+# stage of meshes the hierarchy that draws them. tests/grading/seats_test.sh looks for them.
 function(raysteps_graded_seat file stage own objects)
     set(may_include ${PROJECT_SOURCE_DIR}/steps/may_include.txt)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${may_include})
