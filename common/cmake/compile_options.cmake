@@ -99,8 +99,8 @@ endfunction()
 
 # raysteps_target(<name> [OBJECT | STATIC] [ON_DEMAND] [APART] SOURCES <source>... [EXCEPT <stem>...]
 #     [FOLDERS <folder[|folder]>...] [LIBRARIES <library>...] [PARTS <part>...] [OPTIONS <option>...]
-#     [DEFINITIONS <definition>...] [HEADERS <target>] [NEEDS <target>...]): a program, or a library. With
-# _f32 or _float in its name, its Real is float.
+#     [DEFINITIONS <definition>...] [HEADERS <header>... | <target>] [NEEDS <target>...]): a program or
+# library. With _f32 or _float in its name, its Real is float.
 #
 # SOURCES    files, or patterns of files, without those EXCEPT. They are compiled as one (CMake's unity
 #            build), so that the headers that they share are read once: a first build takes half the time.
@@ -108,11 +108,11 @@ endfunction()
 #            what they call; with APART, and with -DCMAKE_UNITY_BUILD=OFF, each file is compiled alone. Two
 #            sources that are compiled as one cannot give a helper the same name.
 # PARTS      are linked: <part>_f32 or <part>_f64 of each
-# HEADERS    the target from whose precompiled headers it starts
+# HEADERS    precompiled headers from which it starts, or the target that has them
 # ON_DEMAND  it is built by name only
 function(raysteps_target name)
-    cmake_parse_arguments(PARSE_ARGV 1 the "OBJECT;STATIC;ON_DEMAND;APART" "HEADERS"
-        "SOURCES;EXCEPT;FOLDERS;LIBRARIES;PARTS;OPTIONS;DEFINITIONS;NEEDS")
+    cmake_parse_arguments(PARSE_ARGV 1 the "OBJECT;STATIC;ON_DEMAND;APART" ""
+        "SOURCES;HEADERS;EXCEPT;FOLDERS;LIBRARIES;PARTS;OPTIONS;DEFINITIONS;NEEDS")
     set(patterns ${the_SOURCES})
     list(FILTER patterns INCLUDE REGEX "[*]")
     list(FILTER the_SOURCES EXCLUDE REGEX "[*]")
@@ -140,7 +140,9 @@ function(raysteps_target name)
     target_link_libraries(${name} ${scope} raysteps_options ${the_LIBRARIES})
     target_compile_options(${name} PRIVATE ${the_OPTIONS})
     target_compile_definitions(${name} PRIVATE ${the_DEFINITIONS})
-    if(the_HEADERS)
+    if(the_HEADERS MATCHES "\\.hpp$")
+        target_precompile_headers(${name} PRIVATE ${the_HEADERS})
+    elseif(the_HEADERS)
         target_precompile_headers(${name} REUSE_FROM ${the_HEADERS})
     endif()
     if(the_NEEDS)
@@ -168,16 +170,6 @@ endfunction()
 # same sources, <name>_f32, with Real = float, and <name>_f64.
 function(raysteps_compile_twice name)
     raysteps_both(raysteps_target ${name}_@ OBJECT APART SOURCES ${ARGN})
-endfunction()
-
-# raysteps_precompile(<name> HEADERS <header>... [<option of raysteps_target>...]): <name>_f32 and _f64, from
-# whose precompiled headers other targets start.
-function(raysteps_precompile name)
-    cmake_parse_arguments(PARSE_ARGV 1 the "" "" "OPTIONS;DEFINITIONS;HEADERS")
-    set(none ${PROJECT_BINARY_DIR}/none.cpp)
-    file(CONFIGURE OUTPUT ${none} CONTENT "")
-    raysteps_compile_twice(${name} ${none} ON_DEMAND OPTIONS ${the_OPTIONS} DEFINITIONS ${the_DEFINITIONS})
-    raysteps_both(target_precompile_headers ${name}_@ PRIVATE ${the_HEADERS})
 endfunction()
 
 # raysteps_link(<target> <precision> <name>...): links a target to <name>_f32 or _f64 of each name.
