@@ -38,7 +38,7 @@ struct RenderSettings {
     int pixel_samples = 1;    ///< number of rays through each pixel; the largest with pixel_error
     double pixel_error = 0;   ///< trace rays through a pixel until its estimated error is below
                               ///< this, of 255; 0 for always pixel_samples
-    int shadow_samples = 16;  ///< largest number of rays to an area light; divided by √pixel_samples
+    int shadow_samples = 16;  ///< largest number of rays to an area light, over √pixel_samples
     double shadow_error =
         0;  ///< stop sampling when the color's estimated error is below this, of 255; 0 for never
     int shadow_agree = 0;  ///< or when the first rays, this many, agree: all reached the light, or
