@@ -9,7 +9,7 @@ mkdir -p bare/build tools fakes
 cp "$project/course" "$project/CMakeLists.txt" bare
 for tool in awk basename cat chmod date dirname env false find git grep head id mkdir mv printf pwd readlink rm sed \
     sh sleep tail tee touch tr true; do
-    ln -s "$(command -v $tool)" tools
+    if command -v $tool > place; then ln -s "$(cat place)" tools; fi
 done
 echo 'exit 0' > bare/build/course
 echo 'echo 0' > fakes/id
@@ -40,22 +40,26 @@ course() {
 ninja_comes() { printf '#!/bin/sh\n' > fakes/ninja; chmod +x fakes/ninja; }
 few_lines() { [ "$(wc -l < out)" -le "$1" ] || fail "at most $1 lines"; }
 
+has_git() { command -v git > /dev/null; }  # an unpacked archive of the project goes without
+
 # The version is the project's own, not that of a repository around it; a hand-out's is in its title.
-git init -q . && git -c user.name=A -c user.email=a@b.c commit -q --allow-empty -m around
+if has_git; then git init -q . && git -c user.name=A -c user.email=a@b.c commit -q --allow-empty -m around; fi
 course 0 --version
 grep -qx 'Raysteps [0-9]*\.[0-9]*\.[0-9]*' out || fail "the number alone"
 mkdir bare/steps
 echo "Raysteps, version 1.0.0 (52c7ed4), handed out on 2026-11-21 for g++ 12" > bare/steps/handout.txt
 course 0 --version
 [ "$(cat out)" = "$(cat bare/steps/handout.txt)" ] || fail "a hand-out's title"
-rm -r bare/steps .git
+rm -rf bare/steps .git
 
 # The commit of a clone, also one of another user, as root sees it in a container.
-git init -q bare && git -C bare -c user.name=A -c user.email=a@b.c commit -q --allow-empty -m mine
-[ "$(id -u)" != 0 ] || chown -R 1 bare
-course 0 --version
-grep -qx "Raysteps [0-9.]* ([0-9a-f]*)" out || fail "the number and the commit"
-rm -rf bare/.git
+if has_git; then
+    git init -q bare && git -C bare -c user.name=A -c user.email=a@b.c commit -q --allow-empty -m mine
+    [ "$(id -u)" != 0 ] || chown -R 1 bare
+    course 0 --version
+    grep -qx "Raysteps [0-9.]* ([0-9a-f]*)" out || fail "the number and the commit"
+    rm -rf bare/.git
+fi
 
 # Without network: one line with the reason, in apt's words.
 : > known
