@@ -13,8 +13,8 @@ namespace rt {
 /// no_meshes.cpp takes its place, so that they do not need OpenMesh.
 void load_meshes(Scene& scene, const Warn& warn = nullptr);
 
-/// What `read(warn)` returns of a file. Its warnings and errors also have the line of the scene
-/// that names the file: "the mesh of scene.rt:4".
+/// Reads a file by `read(warn)`. Its warnings and errors also have the line of the scene that names
+/// the file: "the mesh of scene.rt:4".
 template <class Read>
 [[nodiscard]] auto read_named(const MeshRequest& named, const Warn& warn, const Read& read) {
     std::string line = to_string(named.place);

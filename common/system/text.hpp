@@ -38,7 +38,7 @@ namespace rt {
     return {std::istream_iterator<std::string>(words), {}};
 }
 
-/// What follows the word that the line starts with; nothing if it starts otherwise.
+/// The rest of the line after the word; nothing if the line does not start with it.
 [[nodiscard]] inline std::optional<std::string> after(std::string_view word,
                                                       std::string_view line) {
     if (!line.starts_with(word)) return std::nullopt;

@@ -48,10 +48,10 @@ using OpenFloat = std::function<Trials&()>;
                                                  const Aim& aim, Clock::time_point start,
                                                  const std::atomic<bool>& stop);
 
-/// True if `trace` stops at settings.shadow_error. Stage 11 asks students for a loop over all
-/// settings.shadow_samples: it does not stop, and may send a million rays to a light for each
-/// pixel. The function renders a few pixels with an error of any size allowed, and compares the
-/// number of their rays with that of the fewest samples that show an error.
+/// True if `trace` stops at settings.shadow_error. A student's trace of stage 11 does not: it has a
+/// loop over all settings.shadow_samples, and may send a million rays to a light for each pixel.
+/// The function renders a few pixels with an error of any size allowed, and compares the number of
+/// their rays with that of the fewest samples that show an error.
 [[nodiscard]] bool stops_sampling(const Trials& trials, const RenderSettings& settings);
 
 }  // namespace rt

@@ -1,5 +1,5 @@
-// What `--tolerance` and `--time` need of a scene in its precision: its traits, and trials on
-// single pixels.
+// The traits of a scene, and trials on single pixels, in one precision, for `--tolerance` and
+// `--time`.
 #pragma once
 
 #include "common/scene/scene.hpp"

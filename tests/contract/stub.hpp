@@ -46,7 +46,7 @@ Vec3 ask_normal(const Shape& shape, Vec3 point) {
         now->any);
 }
 
-/// Numbers that tell where a point is in a shape, after the case's change.
+/// The coordinates of a point in a shape, such as barycentric ones, after the case's change.
 template <int Stage, Word Name, class Shape>
 auto ask_place(const Shape& shape, Vec3 point) {
     const Change* const now = change();

@@ -29,8 +29,8 @@ struct Verdict {
     explicit operator bool() const { return holds; }
 };
 
-/// The text, or what the function returns. A suite asks thousands of random questions, and only a
-/// failure needs its text.
+/// The text itself, or the text that the function returns: of thousands of random calls, only a
+/// failing one needs its text.
 template <class Text>
 std::string written(const Text& sentence) {
     if constexpr (std::is_invocable_v<Text>)

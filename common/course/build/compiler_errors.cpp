@@ -12,7 +12,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// What a line of a compiler's or linker's output says.
+/// The patterns of the lines that compilers and linkers print.
 struct Patterns {
     /// "…/steps/step05_triangle/student/triangle.cpp:12:5: error: …", wherever the project is.
     std::regex diagnostic{R"(([^:]+):(\d+):(\d+): (fatal error|error|warning|note): (.*))"};

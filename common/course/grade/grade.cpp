@@ -98,8 +98,8 @@ private:
     int descriptor_;
 };
 
-/// What the name of the workshop's folder begins with: the results' name is in it, so that the next
-/// run removes the folder of a killed run.
+/// The start of the workshop's name. The results' place is in it, so that the next run removes the
+/// folder of a killed run.
 std::string workshop_start(const Order& order) {
     const std::size_t whose = fs::hash_value(fs::absolute(order.results).lexically_normal());
     return "raysteps-grading-" + std::to_string(whose) + "-" + std::to_string(order.part) + ".";
